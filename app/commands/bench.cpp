@@ -46,7 +46,7 @@ struct SceneResult {
     std::vector<BenchRun> runs;
 };
 
-/// Lesson files: as given, or by their name among the shipped scenes of dynamics, large ones included.
+/// Lesson files: paths as given, or names of shipped scenes of dynamics, including the large ones.
 std::vector<std::filesystem::path> files_of(const std::vector<std::string>& scenes) {
     std::vector<std::filesystem::path> shipped = lessons_below(catalogue_folder() / "dynamics");
     const std::vector<std::filesystem::path> large =
@@ -55,7 +55,7 @@ std::vector<std::filesystem::path> files_of(const std::vector<std::string>& scen
     return scenes.empty() ? shipped : named_lessons(scenes, shipped);
 }
 
-/// Lessons and the references that are shipped with them.
+/// Adds the shipped references of the lessons.
 std::vector<std::filesystem::path> read_with(std::vector<std::filesystem::path> files) {
     const std::filesystem::path references = catalogue_folder().parent_path() / "reference";
     for (std::size_t k = 0, lessons = files.size(); k < lessons; ++k) {
@@ -76,7 +76,7 @@ BenchPlan plan_of(const BenchOptions& options) {
     return plan;
 }
 
-/// Methods, and numbers about them.
+/// A column for the methods, and columns for numbers about them.
 std::vector<TextColumn> columns_for(std::size_t numbers) {
     std::vector<TextColumn> columns(numbers + 1, {true, 10, 1});
     columns.front() = {false, 14, 0};
@@ -235,21 +235,23 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
 }  // namespace
 
 void add_bench(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("bench", "what a digit costs, method by method; the hard cases");
+    CLI::App* command = app.add_subcommand("bench", "compare methods by time and error; run the hard cases");
     auto options = std::make_shared<BenchOptions>();
     command
         ->add_option(
-            "SCENE", options->scenes, "lesson files or names of shipped scenes; default: all shipped")
+            "SCENE", options->scenes, "lesson files or names of shipped scenes; default: all shipped scenes")
         ->type_name("");
     CLI::Option* method =
         command
             ->add_option(
-                "--method", options->methods, "one or several; default explicit-5, -8, implicit-5, -9")
+                "--method", options->methods,
+                "one or several methods; default: explicit-5, explicit-8, implicit-5, implicit-9")
             ->check(CLI::IsMember(names_of(kMethods)))
             ->type_name("NAME");
-    CLI::Option* treatment = command->add_option("--treatment", options->treatment, "of the constraints")
-                                 ->check(CLI::IsMember(names_of(kTreatments)))
-                                 ->type_name("NAME");
+    CLI::Option* treatment =
+        command->add_option("--treatment", options->treatment, "treatment of the constraints")
+            ->check(CLI::IsMember(names_of(kTreatments)))
+            ->type_name("NAME");
     CLI::Option* coordinates =
         command
             ->add_option(
@@ -263,15 +265,15 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
     CLI::Option* kinematics = command->add_flag(
         "--kinematics", options->kinematics,
         "benchmark the kinematics instead: position, velocity and acceleration of driven lessons in every "
-        "choice of coordinates and "
-        "rows");
+        "choice of coordinates and rows");
     CLI::Option* hard = command->add_flag(
         "--hard", options->hard,
         "run the hard cases of kinematics and dynamics instead; SCENE then selects some of them");
     CLI::Option* drawing = command->add_flag(
         "--render", options->render,
-        "what a picture of the motion costs, stage by stage, beside a plain loop with stb_image_write");
-    command->add_option("--size", options->size, "of the pictures of --render")
+        "measure the time of each stage of a picture of the motion, beside a plain loop with "
+        "stb_image_write");
+    command->add_option("--size", options->size, "size in pixels of the pictures of --render")
         ->type_name("WxH")
         ->capture_default_str()
         ->needs(drawing);

@@ -39,10 +39,10 @@ Lesson changed_lesson(const Lesson& written, const CheckOptions& options, Checke
     return changed;
 }
 
-/// Students for whom variants of an exercise are drawn and solved.
+/// Number of students for whom variants of an exercise are drawn and solved.
 constexpr int kStudents = 5;
 
-/// A lesson, or exercises, as they were read.
+/// Warns about texts of a lesson, or of exercises, after reading.
 template <class Read>
 void warn_about_texts(
     const std::string& file, const Read& read, CheckedLesson& checked, const Streams& streams) {
@@ -76,7 +76,7 @@ CheckedLesson checked_lesson(const std::string& file, const CheckOptions& option
     }
     if (!options.experiments.empty()) { lesson = changed_lesson(lesson, options, checked); }
     checked.claims = check_claims(lesson);
-    // experiments of one's own come in place of those that the author proposes
+    // the user's experiments replace those that the author proposes
     if (options.experiments.empty()) {
         std::ranges::move(check_trials(lesson), std::back_inserter(checked.claims));
         if (tables == ExerciseTables::in_lesson) { check_exercises_of(file, checked, streams); }
@@ -84,7 +84,7 @@ CheckedLesson checked_lesson(const std::string& file, const CheckOptions& option
     return checked;
 }
 
-/// The lesson files that are meant: those named and those below folders.
+/// The lesson files of a path: the file itself, or the lessons below a folder.
 /// @throws CommandError (bad_input) for a folder without lessons
 std::vector<std::string> files_of(const std::string& path) {
     std::error_code error;
@@ -104,7 +104,7 @@ Exit exit_of(const CheckedLesson& checked, const CheckStyle& style) {
     return checked.failed() > 0 || lacks_claims ? Exit::check_failed : Exit::done;
 }
 
-/// Checks what options name, lesson by lesson; text is written as soon as it is known.
+/// Checks the files that the options name, lesson by lesson; text is written as soon as it is known.
 class Checker {
 public:
     Checker(const CheckOptions& options, const Streams& streams) : options_(options), streams_(streams) {}
@@ -126,7 +126,7 @@ public:
     }
 
 private:
-    /// The other files are checked all the same.
+    /// If one file cannot be checked, the others are checked all the same.
     template <class Work>
     void guarded(const std::string& path, Work work) {
         try {
@@ -169,12 +169,12 @@ private:
 void add_check(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("check", "prove the claims ([[expect]]) of lessons");
     auto options = std::make_shared<CheckOptions>();
-    command->add_option("FILE", options->paths, "lesson files; of a folder, all lessons below it")
+    command->add_option("FILE", options->paths, "lesson files, or folders: all lessons below them")
         ->required()
         ->type_name("");
     add_try_option(*command, options->experiments);
     command->add_flag("--quiet", options->style.quiet, "show only claims that fail");
-    command->add_flag("--require-claims", options->style.require_claims, "a lesson without claims fails");
+    command->add_flag("--require-claims", options->style.require_claims, "fail if a lesson has no claims");
     add_format_option(*command, options->format, {"text", "json", "junit"});
     command->footer("Example: jointwise check lessons/catalogue/loops");
     command->callback([options, &streams, &run] {

@@ -19,32 +19,31 @@ namespace {
 
 constexpr const char* kDescription =
     "Jointwise: spatial kinematics of constrained rigid bodies, joint by joint.\n"
-    "A lesson file becomes a mechanism; its equations Phi, the Jacobian and its rank are shown as text, "
-    "JSON\n"
-    "and pictures.";
+    "The program reads a mechanism from a lesson file and shows its equations Phi, their Jacobian and its\n"
+    "rank as text, JSON and pictures.";
 
 constexpr const char* kFooter =
     "Example: jointwise step lessons/catalogue/loops/four-bar.toml\n"
     "Exit status: 0 done, 1 a check failed, 2 bad usage or input, 3 the numerics could not do it.\n"
-    "'jointwise COMMAND --help' has an example of each command.";
+    "'jointwise COMMAND --help' shows an example of each command.";
 
 int status(Exit exit) { return static_cast<int>(exit); }
 
-/// CLI11 says only that a command is required.
+/// Error for an unknown command: CLI11 only says that a command is required.
 std::string unknown_command(const CLI::App& app, const std::vector<std::string>& arguments) {
     if (arguments.empty() || arguments.front().starts_with('-')) { return {}; }
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) { names.push_back(command->get_name()); }
     if (std::ranges::find(names, arguments.front()) != names.end()) { return {}; }
     std::string hint = did_you_mean(arguments.front(), names);
-    // all of them, however many
+    // all names, even if they are many
     std::string all;
     for (const std::string& name : names) { all += (all.empty() ? "" : ", ") + name; }
     return "jointwise: error: no command " + in_quotes(arguments.front()) + "; expected one of " + all +
            "\nhint: " + (hint.empty() ? "jointwise --help" : hint) + "\n";
 }
 
-/// Errors in arguments that the parser takes for right.
+/// Finds errors in arguments that the parser accepts.
 void check_numbers(const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands()) {
         const std::string fault = fault_of_numbers(*command);
@@ -52,13 +51,13 @@ void check_numbers(const CLI::App& app) {
     }
 }
 
-/// An error of the file system without the name of the function that found it.
+/// An error of the file system, without the name of the function that found it.
 std::string words_of(const std::filesystem::filesystem_error& error) {
     const std::string where = error.path1().empty() ? "" : in_quotes(error.path1().string()) + ": ";
     return where + error.code().message();
 }
 
-/// Help that leaves the list of excluded options out where all of them are hidden.
+/// Help without the list of excluded options if all of them are hidden.
 class HelpFormatter : public CLI::Formatter {
 public:
     std::string make_option_opts(const CLI::Option* option) const override {
@@ -80,7 +79,7 @@ int run_commands(
     app.set_version_flag("--version", std::string("jointwise ") + JW_VERSION);
     app.require_subcommand(1);
     app.failure_message([](const CLI::App* self, const CLI::Error& error) {
-        // the command that was meant, if the line got that far
+        // the command that was meant, if the parser got that far
         const std::vector<CLI::App*> given = self->get_subcommands();
         const CLI::App& command = given.empty() ? *self : *given.front();
         return "jointwise: error: " + usage_fault(command, error) + "\nhint: jointwise " +
@@ -98,7 +97,7 @@ int run_commands(
     }
 
     try {
-        // CLI11 takes arguments from the back
+        // CLI11 takes arguments from the end
         std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());
         if (last_first.empty()) { last_first = {"open"}; }
         app.parse(last_first);
@@ -124,7 +123,7 @@ int run_commands(
         streams.err << "jointwise: error: " << words_of(error) << '\n';
         return status(Exit::bad_input);
     } catch (const std::exception& error) {
-        // a missing font or OSMesa, a file system that fails: said by whoever found it
+        // a missing font or OSMesa, or an error of the file system: whoever found it has described it
         streams.err << "jointwise: error: " << error.what() << '\n';
         return status(Exit::bad_input);
     }

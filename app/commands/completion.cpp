@@ -8,7 +8,8 @@
 namespace jw {
 
 void add_completion(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("completion", "write what completes command lines in a shell");
+    CLI::App* command =
+        app.add_subcommand("completion", "write the script that completes command lines in a shell");
     auto shell = std::make_shared<std::string>();
     command->add_option("SHELL", *shell, "bash, zsh or fish")
         ->required()

@@ -19,7 +19,7 @@ std::vector<std::string> coordinate_names() {
     return names;
 }
 
-/// Rejects options that the chosen method does not read: whoever typed them expects an effect.
+/// Rejects options that the chosen method does not read, since whoever typed them expects an effect.
 void refuse_what_is_not_read(const DynamicsOptions& options, const MethodName& method) {
     if (method.adaptive && options.step) {
         throw bad_option(
@@ -44,19 +44,21 @@ void add_dynamics_options(CLI::App& command, DynamicsOptions& options) {
         ->type_name("NAME");
     command
         .add_option(
-            "--treatment", options.treatment, "of the constraints: none, baumgarte, projection, tangent")
+            "--treatment", options.treatment,
+            "treatment of the constraints: none, baumgarte, projection, tangent")
         ->check(CLI::IsMember(names_of(kTreatments)))
         ->type_name("NAME");
     command
         .add_option(
             "--coordinates", options.coordinates,
-            "joints: of a tree of joints; bodies: r, p, ω' of every body, block-sparse; or the slides' dense "
-            "equations in rp, rp-modified, omega-local, omega-global; default: joints where they pay")
+            "joints: coordinates of a tree of joints; bodies: r, p, ω' of every body, block-sparse; rp, "
+            "rp-modified, omega-local, omega-global: the dense equations of the slides; default: joints "
+            "where they are faster")
         ->check(CLI::IsMember(coordinate_names()))
         ->type_name("NAME");
-    command.add_option("--tolerance", options.tolerance, "error of a step, for adaptive methods")
+    command.add_option("--tolerance", options.tolerance, "allowed error of a step, for adaptive methods")
         ->type_name("X");
-    command.add_option("--step", options.step, "step [s], for the others")->type_name("H");
+    command.add_option("--step", options.step, "step [s], for the other methods")->type_name("H");
 }
 
 void apply(const DynamicsOptions& options, SimulationSettings& settings) {

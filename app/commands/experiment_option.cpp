@@ -11,7 +11,7 @@ void add_try_option(CLI::App& command, std::vector<std::string>& experiments) {
     command
         .add_option(
             "--try", experiments,
-            "experiment to carry out first, as 'jointwise try FILE' lists them; may be given several times")
+            "experiment to carry out first, as listed by 'jointwise try FILE'; can be given several times")
         ->type_name("TEXT")
         ->type_size(1)
         ->allow_extra_args(false);

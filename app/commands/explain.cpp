@@ -59,9 +59,9 @@ Exit explain(const ExplainOptions& options, const Streams& streams) {
 }  // namespace
 
 void add_explain(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("explain", "cause and cure of a diagnostic, by its code");
+    CLI::App* command = app.add_subcommand("explain", "show cause and cure of a diagnostic, by its code");
     auto options = std::make_shared<ExplainOptions>();
-    command->add_option("CODE", options->code, "as JW301, jw301 or 301; without it all codes are listed")
+    command->add_option("CODE", options->code, "code as JW301, jw301 or 301; without it, all are listed")
         ->type_name("");
     add_format_option(*command, options->format, {"text", "markdown", "json"});
     command->footer("Example: jointwise explain JW301");

@@ -28,13 +28,13 @@ struct ExportOptions {
 
     bool wants_picture() const { return !svg.empty() || !pdf.empty(); }
     bool wants_step() const { return !latex.empty() || !csv.empty() || wants_picture(); }
-    /// Options that name files, with what they were given.
+    /// Options that name files, with their values.
     std::vector<std::pair<const char*, std::string>> outputs() const {
         return {{"--latex", latex}, {"--csv", csv}, {"--svg", svg}, {"--pdf", pdf}, {"--gltf", gltf}};
     }
 };
 
-// as `render`
+// the same as for `render`
 constexpr PixelSize kSmallestPicture{960, 540};
 constexpr PixelSize kLargestPicture{3840, 2160};
 constexpr const char* kStandardOutput = "-";
@@ -79,7 +79,7 @@ void write_pictures(
     write_picture(options.pdf, render::VectorFormat::pdf);
 }
 
-/// The step that is meant; without one, that at which everything is put together.
+/// The chosen step; by default the one at which everything is assembled.
 int step_of(const ExportOptions& options, const Story& story) {
     const int last = static_cast<int>(story.steps().size()) - 1;
     if (options.step && *options.step > last) {
@@ -122,11 +122,11 @@ Exit export_command(const ExportOptions& options, const Streams& streams) {
 }  // namespace
 
 void add_export(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("export", "a lesson for papers, slides and other programs");
+    CLI::App* command = app.add_subcommand("export", "write a lesson for papers, slides and other programs");
     const auto options = std::make_shared<ExportOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->experiments);
-    command->add_option("--step", options->step, "a step of the story; default: everything put together")
+    command->add_option("--step", options->step, "step of the lesson; default: all joints assembled")
         ->check(&fault_of_step)
         ->type_name("N");
     command
@@ -137,11 +137,10 @@ void add_export(CLI::App& app, const Streams& streams, Run& run) {
     command->add_option("--csv", options->csv, "the Jacobian as a table; - for standard output")
         ->type_name("FILE");
     command
-        ->add_option(
-            "--svg", options->svg, "the picture of the step, sharp at any size; its 3D part is pixels")
+        ->add_option("--svg", options->svg, "picture of the step as vector graphics; its 3D part is pixels")
         ->type_name("FILE");
-    command->add_option("--pdf", options->pdf, "the same as PDF, its text as text")->type_name("FILE");
-    command->add_option("--size", options->size, "of --svg and --pdf, in pixels")
+    command->add_option("--pdf", options->pdf, "the same as PDF; text stays text")->type_name("FILE");
+    command->add_option("--size", options->size, "size of --svg and --pdf in pixels")
         ->type_name("WxH")
         ->capture_default_str();
     command

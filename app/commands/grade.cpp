@@ -35,13 +35,13 @@ struct GradeOptions {
     bool again = false;
 };
 
-/// Answers may be anything, even a link or a pipe: they are there.
+/// The file of answers may be anything, even a link or a pipe; it only has to exist.
 bool is_submission(const fs::path& folder) {
     std::error_code error;
     return !fs::is_directory(folder, error) || fs::exists(fs::symlink_status(folder / kAnswersFile, error));
 }
 
-/// A folder that the command names: without '/' at its end, and where a link leads to.
+/// A folder that the command names, without '/' at its end; a link is replaced by its target.
 fs::path named_folder(const std::string& name) {
     std::error_code error;
     const fs::path folder = fs::path(name).lexically_normal();
@@ -76,8 +76,8 @@ std::vector<fs::path> folders_in(const fs::path& folder, const Streams& streams)
     return inside;
 }
 
-/// A folder with answers.toml is a submission, and so are those named beside it; any other one is a folder
-/// of submissions. So nobody becomes several students by handing in folders without answers.
+/// If one of the named folders has answers.toml, all of them are submissions; otherwise they are folders of
+/// submissions. So a student cannot become several students by handing in folders without answers.
 std::vector<fs::path> submissions_of(const std::vector<std::string>& names, const Streams& streams) {
     std::vector<fs::path> found;
     std::ranges::transform(names, std::back_inserter(found), named_folder);
@@ -99,7 +99,7 @@ std::vector<fs::path> submissions_of(const std::vector<std::string>& names, cons
     return found;
 }
 
-/// Results of an earlier run that still hold.
+/// Results of an earlier run that are still valid.
 class KeptGrades {
 public:
     explicit KeptGrades(const GradeOptions& options)
@@ -129,7 +129,7 @@ public:
     }
 
 private:
-    /// Names of files end after 255 bytes, with the ending and what is added while the file is written.
+    /// Names of files may have 255 bytes, including the ending and what is added while the file is written.
     fs::path path_of(const fs::path& submission) const {
         constexpr std::size_t kLongest = 180;
         const std::string name = submission.filename().string();
@@ -142,8 +142,8 @@ private:
     bool again_;
 };
 
-/// Reads the submission, then grades its exercises: a part for each. What was read stays in the process that
-/// goes on with the next part.
+/// Reads the submission, then grades its exercises, one part each. A process that goes on with the next part
+/// keeps what it has read.
 class SubmissionParts {
 public:
     SubmissionParts(const ReadyCourse& course, const fs::path& folder) : course_(course), folder_(folder) {}
@@ -154,7 +154,7 @@ public:
         return json_text(grade_exercise(course_, entry(part), *read_));
     }
 
-    /// @param done  of all parts; of the first one alone where that failed
+    /// @param done  results of all parts; only of the first if that failed
     Grade collected(const std::vector<WorkDone>& done) const {
         Grade grade = empty_grade(course_, {folder_, {}});
         if (!read_grade(done.front().result, grade)) { grade.problem = problem_of(done.front()); }
@@ -181,7 +181,7 @@ private:
     std::optional<Submission> read_;
 };
 
-/// Seconds for reading a submission; those for an exercise follow from its kind.
+/// Seconds for reading a submission; for an exercise they follow from its kind.
 double seconds_for(const ReadyCourse& course, int part) {
     constexpr double kReading = 60.0;
     return part == 0 ? kReading
@@ -214,7 +214,7 @@ std::vector<Grade> grade_all(
     work.ended = [&](int piece, const std::vector<WorkDone>& done) {
         const std::size_t k = places[static_cast<std::size_t>(piece)];
         grades[k] = open[static_cast<std::size_t>(piece)].collected(done);
-        // what failed for want of time may succeed at the next run
+        // what failed because time ran out may succeed in the next run
         const bool complete = std::ranges::all_of(done, &std::string::empty, &WorkDone::problem);
         if (complete) { kept.keep(submissions[k], digests[k], grades[k]); }
         progress.show(static_cast<double>(++finished) / static_cast<double>(work.pieces));
@@ -234,7 +234,7 @@ void warn_of_twins(const std::vector<Grade>& grades, const Streams& streams) {
     }
 }
 
-/// Programs that nobody judged are no matter of points alone.
+/// Programs that were not judged change the exit status, not only the points.
 Exit exit_of(const std::vector<Grade>& grades, const Streams& streams) {
     const ProgramsNotRun programs = programs_not_run(grades);
     if (programs.count == 0) { return Exit::done; }
@@ -289,24 +289,24 @@ Exit grade(const GradeOptions& options, const Streams& streams) {
 }  // namespace
 
 void add_grade(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("grade", "grade what students hand in");
+    CLI::App* command = app.add_subcommand("grade", "grade submissions of students");
     auto options = std::make_shared<GradeOptions>();
     command->add_option("FOLDER", options->folders, "submissions, or folders of submissions")
         ->required()
         ->type_name("");
-    command->add_option("--key", options->key, "the key of the course, as for 'sheet'")
+    command->add_option("--key", options->key, "key file of the course, as for 'sheet'")
         ->required()
         ->type_name("FILE");
     command
-        ->add_option(
-            "--exercises", options->exercises, "files of exercises; default: those that the key names")
+        ->add_option("--exercises", options->exercises, "files of exercises; default: those named in the key")
         ->type_name("FILE");
     command
         ->add_option(
             "--out", options->out,
-            "folder for results, a report of the class and a table; what is there is not graded again")
+            "folder for results, a report of the class and a table; unchanged submissions with results in it "
+            "are not graded again")
         ->type_name("FOLDER");
-    command->add_option("--jobs", options->jobs, "submissions graded at once; default: one per processor")
+    command->add_option("--jobs", options->jobs, "submissions graded in parallel; default: one per processor")
         ->check(CLI::Range(1, 256))
         ->type_name("N");
     command->add_flag("--again", options->again, "grade everything again");

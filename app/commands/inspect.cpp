@@ -55,7 +55,7 @@ Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
     return inspect_step(story, options.step.value_or(last), choice, spectrum);
 }
 
-/// Proof of the rank at the moment that is inspected, as the start of a motion without steps.
+/// Writes a proof of the rank at the inspected moment, as the start of a motion without steps.
 void write_rank(const std::string& file, const Inspection& inspection, const Lesson& lesson) {
     ProofRecorder recorder(*inspection.system);
     MotionFrame frame;
@@ -86,23 +86,23 @@ Exit inspect(const InspectOptions& options, const Streams& streams) {
 
 void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand(
-        "inspect", "every number of the equations at one moment; default: the assembled pose");
+        "inspect", "show every number of the equations at one moment; default: the assembled pose");
     auto options = std::make_shared<InspectOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->experiments);
     auto* step =
-        command->add_option("--step", options->step, "a step of the story, as 'jointwise step' counts them")
+        command->add_option("--step", options->step, "step of the lesson, as counted by 'jointwise step'")
             ->check(&fault_of_step)
             ->type_name("N");
-    auto* time = command->add_option("--time", options->time, "a time of the motion [s]")->type_name("T");
+    auto* time = command->add_option("--time", options->time, "time of the motion [s]")->type_name("T");
     auto* given =
-        command->add_flag("--as-given", options->as_given, "the state in the file, nothing assembled");
+        command->add_flag("--as-given", options->as_given, "use the state in the file, without assembly");
     step->excludes(time)->excludes(given);
     time->excludes(given);
     command->add_flag(
         "--spectrum", options->spectrum,
-        "compute singular values and free motions of more than 300 columns, too; may take minutes, Ctrl-C "
-        "ends it");
+        "compute singular values and free motions also for more than 300 columns; this may take minutes, "
+        "Ctrl-C stops it");
     command
         ->add_option(
             "--coordinates", options->coordinates,

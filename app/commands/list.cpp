@@ -33,8 +33,8 @@ struct ListRequest {
 struct ListedLesson {
     CourseLessons::Entry place;
     Lesson lesson;
-    std::string path;                ///< from the folder one is in
-    std::size_t exercises_here = 0;  ///< how many belong to it
+    std::string path;                ///< relative to the current folder
+    std::size_t exercises_here = 0;  ///< number of exercises that belong to it
 
     const std::string& chapter() const { return lesson.chapter.empty() ? place.folder : lesson.chapter; }
 };
@@ -71,7 +71,7 @@ void write_text(const std::vector<ListedLesson>& lessons, std::ostream& out) {
     }
 }
 
-/// The table of README.md; a lesson is named by its path below `folder`.
+/// Writes the table of docs/lessons.md; a lesson is named by its path below `folder`.
 void write_markdown(const std::vector<ListedLesson>& lessons, const fs::path& folder, std::ostream& out) {
     out << "| lesson | | source |\n| --- | --- | --- |\n";
     for (const ListedLesson& l : lessons) {
@@ -161,8 +161,7 @@ void add_list(CLI::App& app, const Streams& streams, Run& run) {
     command
         ->add_option(
             "FOLDER", options->arguments,
-            "folder that lessons are looked for in, and words that they must have; 'slide 5' is one in the "
-            "source")
+            "folder to search, and words that lessons must have; 'slide 5' is looked for in their source")
         ->type_name("[WORDS...]");
     add_format_option(*command, options->format, {"text", "markdown", "json"});
     command->footer("Example: jointwise list slide 5");

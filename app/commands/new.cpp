@@ -50,7 +50,7 @@ Exit write_new(const std::string& name, bool exercise, const Streams& streams) {
     std::string text = kNewLesson;
     if (exercise) { text += kNewExercise; }
     text.replace(text.find(kTitleOfTemplate), kTitleOfTemplate.size(), writing::string_text(title_of(file)));
-    // a name that no text file can hold is the only thing that can be wrong
+    // the only possible mistake is a name that a text file cannot hold
     if (const ReadResult read = read_lesson(text, file.string()); !read.lesson) {
         throw bad_input(
             in_quotes(name) + " cannot be a title: " + read.diagnostics.front().message +
@@ -68,10 +68,12 @@ Exit write_new(const std::string& name, bool exercise, const Streams& streams) {
 void add_new(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("new", "write a small lesson to begin with");
     auto name = std::make_shared<std::string>();
-    command->add_option("NAME", *name, "of the lesson; the file is NAME.toml")->required()->type_name("");
+    command->add_option("NAME", *name, "name of the lesson; the file is NAME.toml")
+        ->required()
+        ->type_name("");
     auto exercise = std::make_shared<bool>(false);
     command->add_flag(
-        "--exercise", *exercise, "with an exercise whose numbers differ from student to student");
+        "--exercise", *exercise, "add an exercise whose numbers differ from student to student");
     command->footer("Example: jointwise new my-lesson");
     command->callback([name, exercise, &streams, &run] {
         run = [name, exercise, &streams] { return write_new(*name, *exercise, streams); };

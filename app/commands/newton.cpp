@@ -38,8 +38,8 @@ NewtonPlan plan_of(const NewtonChoices& options, const Lesson& lesson) {
     return plan;
 }
 
-/// The step at which closing the joint or driver `at` begins; without a name, of the one that tells
-/// most: with a wrong branch, or with the most iterations.
+/// The step at which closing the joint or driver `at` begins. Without a name, the closing that shows most:
+/// one with a wrong branch, or with the most iterations.
 int start_of(const Story& story, const std::string& at) {
     const Lesson& lesson = story.lesson();
     std::vector<std::string> names;
@@ -88,16 +88,17 @@ Exit newton(const NewtonChoices& options, const Streams& streams) {
 
 void add_newton(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
-        app.add_subcommand("newton", "Newton's method in several ways from the same start, side by side");
+        app.add_subcommand("newton", "compare variants of Newton's method, or coordinates, from one start");
     auto options = std::make_shared<NewtonChoices>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->experiments);
     command
         ->add_option(
             "--at", options->at,
-            "the joint or driver that is closed; default: where a wrong branch is met, else most iterations")
+            "joint or driver to close; default: one that meets a wrong branch, else the one with most "
+            "iterations")
         ->type_name("NAME");
-    command->add_option("--compare", options->compare, "methods or coordinates")
+    command->add_option("--compare", options->compare, "what to compare: methods or coordinates")
         ->check(CLI::IsMember({"methods", "coordinates"}))
         ->type_name("WHAT")
         ->capture_default_str();
@@ -106,13 +107,13 @@ void add_newton(CLI::App& app, const Streams& streams, Run& run) {
             "--coordinates", options->coordinates, "coordinates of the methods; default: the lesson's")
         ->check(CLI::IsMember(words_of(kChoices)))
         ->type_name("CHOICE");
-    command->add_option("--method", options->method, "method by which coordinates are compared")
+    command->add_option("--method", options->method, "method used to compare coordinates")
         ->check(CLI::IsMember(words_of(kNewtonMethods)))
         ->type_name("METHOD")
         ->capture_default_str();
     command->add_flag(
         "--without-normalisation", options->without_normalisation,
-        "leave the rows p'p - 1 of the (r, p) choices out");
+        "leave out the rows p'p - 1 of the (r, p) choices");
     add_format_option(*command, options->format, {"text", "json", "csv"});
     command->footer("Example: jointwise newton lessons/catalogue/hard/anti-parallel.toml --compare methods");
     command->callback(

@@ -39,7 +39,7 @@ struct OpenOptions {
     std::string picture;
 };
 
-// smaller ones have no room for a picture and a panel; larger ones are typing errors
+// smaller windows have no room for a picture and a panel; larger sizes are typing errors
 constexpr PixelSize kSmallestWindow{320, 200};
 constexpr PixelSize kLargestWindow{7680, 7680};
 
@@ -55,7 +55,7 @@ void begin(host::Host& host, const std::string& exercise) {
                              (names.empty() ? "no exercises" : "these: " + names));
 }
 
-/// Draws the window into a file; needs no display.
+/// Draws the window into a file, without a display.
 void draw_window(const WindowSetup& setup, const std::string& path) {
     render::Offscreen surface(16, 16);
     host::Host host(setup.host);
@@ -63,7 +63,7 @@ void draw_window(const WindowSetup& setup, const std::string& path) {
     if (!setup.exercise.empty()) { begin(host, setup.exercise); }
     host.wait_for_exercises();
     host::Screen screen(surface.gl(), host);
-    // a frame for ImGui to find its sizes, and one per small picture of the browser
+    // some frames for ImGui to find its sizes, and one per small picture of the browser
     constexpr int most = 2000;
     for (int k = 0; k < most && (k < 3 || host.seconds_to_change() <= 0.0 || !screen.is_complete()); ++k) {
         host.frame(1.0 / 60.0);
@@ -72,14 +72,14 @@ void draw_window(const WindowSetup& setup, const std::string& path) {
     render::write_file_atomically(path, render::encode_png(screen.read()));
 }
 
-/// An address, or a page with one; no file is called so.
+/// True for an address, or a page with one; files do not have such names.
 bool is_address(const std::string& text) {
     std::error_code error;
     return (text.starts_with('#') || text.find("://") != std::string::npos) &&
            !std::filesystem::exists(text, error);
 }
 
-/// @param name  empty: none is wanted
+/// @param name  empty: no exercise is wanted
 /// @throws std::runtime_error if the lesson has no such exercise
 void check_exercise(const std::filesystem::path& lesson, const std::string& name) {
     if (name.empty()) { return; }
@@ -91,7 +91,7 @@ void check_exercise(const std::filesystem::path& lesson, const std::string& name
     }
 }
 
-/// The address in the place of FILE, with what other options add to it; all of it can be shown.
+/// The address given as FILE, with the additions of other options. Checks that all of it can be shown.
 /// @param others  lessons outside the catalogue
 host::Address address_in(
     const OpenOptions& options, const std::vector<std::filesystem::path>& others, const Streams& streams) {
@@ -137,11 +137,11 @@ Exit open(const OpenOptions& options, const Streams& streams) {
     setup.host.density = static_cast<float>(options.density);
     setup.host.tab = *value_of(host::kTabs, options.tab);
     if (is_address(options.file)) {
-        // pictures are the same whatever was opened before
+        // pictures must not depend on what was opened before
         const host::RecentLessons recent(options.picture.empty() ? setup.host.recent_file : "");
         setup.address = address_in(options, recent.paths(), streams);
     } else if (!options.file.empty()) {
-        // mistakes are told before a window opens
+        // mistakes are reported before a window opens
         const Lesson lesson = lesson_of(options.file, options.experiments, streams).lesson;
         if (!options.at.empty() && !step_at(Story(lesson), options.at)) {
             throw CommandError(
@@ -154,7 +154,7 @@ Exit open(const OpenOptions& options, const Streams& streams) {
         setup.experiments = options.experiments;
     }
     if (!options.picture.empty()) {
-        // the same picture whatever was opened before
+        // the picture must not depend on what was opened before
         setup.host.recent_file.clear();
         setup.host.unsaved.clear();
         setup.host.progress.clear();
@@ -172,12 +172,15 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
     auto options = std::make_shared<OpenOptions>();
     command
         ->add_option(
-            "FILE", options->file, "lesson file, or an address of a page; without it the lessons are shown")
+            "FILE", options->file,
+            "lesson file, or address of a page; without it, the list of lessons is shown")
         ->type_name("");
     command->add_option("--at", options->at, "where to begin: a step, a joint or driver, or t=SECONDS")
         ->type_name("STEP");
     add_try_option(*command, options->experiments);
-    command->add_option("--size", options->size, "of the window")->type_name("WxH")->capture_default_str();
+    command->add_option("--size", options->size, "size of the window")
+        ->type_name("WxH")
+        ->capture_default_str();
     command->add_flag("--dark", options->dark, "light text on a dark background");
     command->add_option("--text", options->text, "size of text, 0.75 to 1.5")
         ->check(CLI::Range(0.75, 1.5))
@@ -186,17 +189,17 @@ void add_open(CLI::App& app, const Streams& streams, Run& run) {
     command
         ->add_option(
             "--density", options->density,
-            "pixels of the screen for one of a web page: 3 on most phones; 0: not known")
+            "pixels of the screen per pixel of a web page: 3 on most phones; 0: not known")
         ->check(CLI::Range(0.0, 8.0))
         ->type_name("X")
         ->capture_default_str();
     command
         ->add_option(
-            "--tab", options->tab, "beside the picture: step, try, plots, newton, price or exercises")
+            "--tab", options->tab, "tab beside the picture: step, try, plots, newton, price or exercises")
         ->check(CLI::IsMember(words_of(host::kTabs)))
         ->type_name("TAB")
         ->capture_default_str();
-    command->add_option("--exercise", options->exercise, "an exercise of the lesson to begin with")
+    command->add_option("--exercise", options->exercise, "exercise of the lesson to begin with")
         ->type_name("NAME");
     command->add_option("--picture", options->picture, "draw what the window shows into a PNG file instead")
         ->type_name("FILE");

@@ -38,7 +38,7 @@ CommandError bad(const std::string& message, const std::string& hint = {}) {
         Exit::bad_input, "jointwise: error: " + message + (hint.empty() ? "" : "\nhint: " + hint));
 }
 
-/// The joint whose pairs are plotted: the one named, else the one that the story is about.
+/// The joint whose pairs are plotted: the named joint, or else the joint that the story is about.
 int joint_of(const PlotOptions& options, const Story& story) {
     std::vector<std::string> names;
     for (const Joint& joint : story.lesson().mechanism.joints) { names.push_back(joint.name); }
@@ -88,7 +88,7 @@ std::vector<int> chosen(const SeriesSet& set, const std::vector<std::string>& cu
     return shown;
 }
 
-/// The curves by their names of today; of quantities also such as are not plotted unless asked for.
+/// The curves by their present names. Quantities may also be such that are plotted only on request.
 std::vector<std::string> found_curves(
     const PlotOptions& options, const Story& story, SeriesSet& set, const Streams& streams) {
     if (plotted(options) != Plotted::quantities) { return options.curves; }
@@ -104,7 +104,7 @@ std::vector<std::string> found_curves(
     return names;
 }
 
-/// The set with the chosen curves only: what a table is made of.
+/// The set with only the chosen curves, from which a table is made.
 SeriesSet only(SeriesSet set, const std::vector<int>& shown) {
     if (shown.empty()) { return set; }
     std::vector<Series> series;
@@ -149,7 +149,8 @@ Exit plot(const PlotOptions& options, const Streams& streams) {
 }  // namespace
 
 void add_plot(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("plot", "curves over time or iterations, as a picture or a table");
+    CLI::App* command =
+        app.add_subcommand("plot", "plot curves over time or iterations, as a picture or a table");
     auto options = std::make_shared<PlotOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->experiments);
@@ -164,12 +165,12 @@ void add_plot(CLI::App& app, const Streams& streams, Run& run) {
     command
         ->add_option(
             "--curves", options->curves,
-            "names of curves, separated by commas; default: the most telling ones")
+            "names of curves, separated by commas; default: the most important ones")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("A,B");
     command->add_option("--out", options->out, "FILE.png or FILE.csv")->required()->type_name("FILE");
-    command->add_option("--size", options->size, "pixels of the picture")
+    command->add_option("--size", options->size, "size of the picture in pixels")
         ->type_name("WxH")
         ->capture_default_str();
     command->footer(

@@ -9,8 +9,7 @@ namespace jw {
 
 namespace {
 
-/// Error for an unknown quantity, with the names that could have been meant: quantities of the same owner, or
-/// the owners that exist.
+/// Error for an unknown quantity, with similar names: quantities of the same owner, or the owners that exist.
 CommandError unknown(const std::string& option, const std::string& name, const Mechanism& mechanism) {
     std::vector<std::string> names;
     std::vector<std::string> of_owner;
@@ -59,14 +58,14 @@ std::vector<NamedQuantity> quantities_named(
 void add_quantities_option(CLI::App& command, std::vector<std::string>& names) {
     command
         .add_option(
-            "--quantities", names, "further columns, by name, separated by commas: hinge.force.x,energy.sum")
+            "--quantities", names, "more columns, by name, separated by commas: hinge.force.x,energy.sum")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("A,B");
 }
 
 void add_old_names_flag(CLI::App& command, bool& old_names) {
-    command.add_flag("--old-names", old_names, "call columns as before quantities had one name everywhere");
+    command.add_flag("--old-names", old_names, "name columns as in earlier versions");
 }
 
 void rename_columns(std::vector<std::string>& columns, std::size_t count) {

@@ -97,38 +97,40 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
     command
         .add_option(
             "--out", options.out,
-            "a film (.gif, .apng; .mp4, .webm with ffmpeg), a page (.html), or a folder for pictures, made "
-            "if needed")
+            "a film (.gif, .apng; .mp4, .webm with ffmpeg), a page (.html), or a folder for pictures, "
+            "created if needed")
         ->required()
         ->type_name("PATH");
-    command.add_option("--size", options.size, "pixels")->type_name("WxH")->capture_default_str();
-    command.add_option("--fps", options.fps, "pictures per second of what moves")
+    command.add_option("--size", options.size, "size in pixels")->type_name("WxH")->capture_default_str();
+    command.add_option("--fps", options.fps, "pictures per second of motion")
         ->check(CLI::Range(0.1, film::kMostFps))
         ->type_name("X")
         ->capture_default_str();
-    command.add_option("--frames", options.frames, "draw only pictures A to B of the same numbering")
+    command.add_option("--frames", options.frames, "draw only pictures A to B; their numbers stay the same")
         ->type_name("A:B");
     command.add_flag("--motion-only", options.motion_only, "draw only the motion");
-    command.add_option("--from", options.from, "begin here: a step (from 1), a joint or driver, or t=TIME")
+    command.add_option("--from", options.from, "begin at a step (from 1), a joint or driver, or t=TIME")
         ->type_name("STEP");
-    command.add_option("--to", options.to, "end there, that step included")->type_name("STEP");
-    command.add_flag("--no-tween", options.no_tween, "bodies jump where an iteration or a joint moves them");
-    command.add_flag("--loop", options.loop, "a .gif or .apng begins again at its end");
-    command.add_flag("--dark", options.dark, "light on dark");
-    command.add_option("--text", options.text, "size of text, 1 is usual")
+    command.add_option("--to", options.to, "end after this step")->type_name("STEP");
+    command.add_flag(
+        "--no-tween", options.no_tween, "let bodies jump where an iteration or a joint moves them");
+    command.add_flag("--loop", options.loop, "repeat a .gif or .apng without end");
+    command.add_flag("--dark", options.dark, "light text on a dark background");
+    command.add_option("--text", options.text, "size of text; 1 is normal")
         ->check(CLI::Range(0.75, 3.0))
         ->type_name("X")
         ->capture_default_str();
     command.add_option("--camera", options.camera, "look from this direction instead of that of the lesson")
         ->type_name("X,Y,Z");
-    command.add_flag("--no-panel", options.no_panel, "the mechanism and its names alone");
-    command.add_flag("--transparent", options.transparent, "nothing behind it; with --no-panel");
-    command.add_option("--jobs", options.jobs, "processes that draw; default: one per core")
+    command.add_flag("--no-panel", options.no_panel, "draw only the mechanism and its names");
+    command.add_flag("--transparent", options.transparent, "transparent background; with --no-panel");
+    command.add_option("--jobs", options.jobs, "number of processes that draw; default: one per core")
         ->check(CLI::Range(1, kMostJobs))
         ->type_name("N");
-    command.add_option("--shard", options.shard, "draw the I-th of N parts alone, and leave it for --resume")
+    command.add_option("--shard", options.shard, "draw only the I-th of N parts, and leave it for --resume")
         ->type_name("I/N");
-    command.add_flag("--resume", options.resume, "go on with what an interrupted run or shards have drawn");
+    command.add_flag(
+        "--resume", options.resume, "continue with the pictures of an interrupted run or of --shard");
 }
 
 }  // namespace jw

@@ -19,10 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// starting a process takes as long as drawing so many
+// starting a process takes as long as drawing this many pictures
 constexpr std::size_t kPicturesWorthAJob = 8;
 
-/// One run: what is drawn, and where.
+/// One run: what is drawn, and where it is written.
 class RenderRun {
 public:
     RenderRun(
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    /// A process that another one has started: its part of the pictures, and nothing else.
+    /// In a process that another one has started: draws its part of the pictures, and nothing else.
     void draw_part(const std::string& text) {
         film::end_with_parent();
         film::Part part;
@@ -80,8 +80,8 @@ private:
              options_.loop ? render::Repeat::without_end : render::Repeat::once, !options_.transparent},
             story_, film_, draft, [&](double share) { bar.show(share); });
         draft.clear();
-        streams_.err << seconds_text() << " s of film, " << pictures_.size() << " pictures, in "
-                     << options_.out << '\n';
+        streams_.err << seconds_text() << " s of film, " << pictures_.size()
+                     << (pictures_.size() == 1 ? " picture, in " : " pictures, in ") << options_.out << '\n';
     }
 
     void fill_folder() {
@@ -96,7 +96,7 @@ private:
                      << " and manifest.json in " << options_.out << '\n';
     }
 
-    /// Draws what is missing. @return false if that is a shard, whose pictures wait for others
+    /// Draws what is missing. @return false for a shard, whose pictures wait for the other shards
     bool draw(host::FrameDraft& draft) {
         const std::string advice = panels::advice_for(panels::characters_of(story_.lesson()));
         if (!advice.empty()) { streams_.err << advice << '\n'; }
@@ -108,7 +108,7 @@ private:
         } else {
             draft.begin(run());
         }
-        // what an interrupted --resume has drawn is there for the next one
+        // the next --resume finds what an interrupted one has drawn
         if (options_.resume) { draft.leave(); }
         draw_shard(draft);
         if (!is_shard) { return true; }

@@ -53,7 +53,7 @@ void make_folder(const fs::path& folder) {
     if (error) { throw bad_input("cannot make the folder '" + folder.string() + "': " + error.message()); }
 }
 
-/// For each exercise that asks for a program: one in every language, and its input.
+/// For each exercise that asks for a program: a starter in every language, and the input.
 void write_starters(const Sheet& sheet, const fs::path& folder) {
     for (const SheetEntry& entry : sheet.entries) {
         const Exercise& exercise = entry.task.exercise();
@@ -141,7 +141,7 @@ Exit make_sheets(const SheetOptions& options, const Streams& streams) {
 
 void add_sheet(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
-        app.add_subcommand("sheet", "write sheets of exercises, with numbers of each student's own");
+        app.add_subcommand("sheet", "write sheets of exercises, with different numbers for each student");
     auto options = std::make_shared<SheetOptions>();
     command->add_option("FILE", options->files, "files of exercises, or lessons with [[exercise]]")
         ->required()
@@ -151,19 +151,17 @@ void add_sheet(CLI::App& app, const Streams& streams, Run& run) {
         ->add_option(
             "--class", options->roster, "a sheet for each student in the first column of a list (CSV)")
         ->type_name("FILE");
-    command
-        ->add_option(
-            "--variants", options->variants, "so many sheets for nobody in particular, as for a quiz")
+    command->add_option("--variants", options->variants, "N sheets without a student, for example for a quiz")
         ->check(CLI::Range(1, 1000))
         ->type_name("N");
-    command->add_option("--key", options->key, "the key of the course, a file with a secret")
+    command->add_option("--key", options->key, "key file of the course; it contains a secret")
         ->required()
         ->type_name("FILE");
-    command->add_option("--out", options->out, "folder; each student gets one in it")
+    command->add_option("--out", options->out, "folder that gets a folder for each student")
         ->required()
         ->type_name("FOLDER");
     command->add_flag("--solution", options->solution, "write the solutions, too");
-    command->add_flag("--no-figures", options->without_figures, "draw nothing");
+    command->add_flag("--no-figures", options->without_figures, "do not draw figures");
     add_format_option(*command, options->format, {"files", "moodle"});
     command->footer(
         "Example: jointwise sheet lessons/exercises/vectors.toml --student s1 --key key.toml --out sheets");

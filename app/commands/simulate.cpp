@@ -80,7 +80,7 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
     DynamicsRequest request = request_for(options, lesson);
     request.quantities = quantities_named("--quantities", options.quantities, lesson.mechanism, streams);
     DynamicsTable table;
-    // notes are written while the simulation runs, as soon as they are known
+    // notes are written during the simulation, as soon as they are known
     request.tell = [&](const std::string& note) {
         streams.err << (streams.err_is_terminal ? "\r\033[K" : "") << "jointwise: note: " << note << '\n'
                     << std::flush;
@@ -117,21 +117,22 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
 }  // namespace
 
 void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("simulate", "motion under masses and forces, as a table");
+    CLI::App* command =
+        app.add_subcommand("simulate", "compute the motion under masses and forces, as a table");
     auto options = std::make_shared<SimulateOptions>();
     command->add_option("FILE", options->file, "lesson file with [dynamics]")->required()->type_name("");
     add_try_option(*command, options->experiments);
     command->add_option("--duration", options->duration, "time to simulate [s]; default: the lesson's")
         ->type_name("T");
-    command->add_option("--samples", options->samples, "equal intervals of the table; default 100")
+    command->add_option("--samples", options->samples, "number of equal intervals in the table; default: 100")
         ->type_name("N");
     add_dynamics_options(*command, options->dynamics);
     command
         ->add_option(
             "--most-steps", options->most_steps,
-            "steps after which an adaptive method gives up; default one million")
+            "steps after which an adaptive method gives up; default: one million")
         ->type_name("N");
-    command->add_flag("--reactions", options->reactions, "also forces and torques of all joints");
+    command->add_flag("--reactions", options->reactions, "also write forces and torques of all joints");
     add_format_option(*command, options->format, {"csv", "json"});
     add_quantities_option(*command, options->quantities);
     add_old_names_flag(*command, options->old_names);

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSlides = "slides.pdf";
-// reading and proving is a small part of the work
+// reading and proving take a small part of the time
 constexpr double kReadingPart = 0.1;
 
 struct SiteSetup {
@@ -43,7 +43,7 @@ void check_folder(const std::string& what, const fs::path& folder) {
     throw bad_input(what + in_quotes(folder.string()) + " is no folder; expected one with files of TOML");
 }
 
-/// True if a path, which need not be there, is a folder or below it, whatever links lead there.
+/// True if a path, which need not exist, is a folder or lies below it, after following links.
 bool lies_in(const fs::path& path, const fs::path& folder) {
     const fs::path way = fs::weakly_canonical(fs::absolute(path))
                              .lexically_relative(fs::weakly_canonical(fs::absolute(folder)));
@@ -61,7 +61,7 @@ void check_slides(const std::string& file) {
     throw bad_input("--slides: " + in_quotes(file) + " is no PDF; expected a PDF file or a URL");
 }
 
-/// Tells what of the folder of lessons is none, and is not in the site therefore.
+/// Reports files in the folder of lessons that are not lessons, and so are not in the site.
 void tell_left_out(const fs::path& folder, const Streams& streams) {
     std::error_code error;
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
@@ -84,7 +84,7 @@ void tell_left_out(const fs::path& folder, const Streams& streams) {
     }
 }
 
-/// Looks at everything that is read before anything is computed.
+/// Checks everything that is read before anything is computed.
 void check_setup(const SiteSetup& setup) {
     if (setup.out.empty()) { throw bad_input("--out: the name is empty; expected a folder"); }
     check_folder("", setup.folder);
@@ -145,27 +145,27 @@ Exit make_site(SiteSetup setup, const Streams& streams) {
 
 void add_site(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
-        app.add_subcommand("site", "write the lessons of a folder as a web site, with the program in it");
+        app.add_subcommand("site", "write the lessons of a folder as a web site that contains the program");
     auto setup = std::make_shared<SiteSetup>();
     command->add_option("FOLDER", setup->folder, "folder of lessons, with course.toml for their order")
         ->required()
         ->type_name("");
-    command->add_option("--out", setup->out, "folder of the site; one of before is replaced")
+    command->add_option("--out", setup->out, "folder of the site; an earlier site in it is replaced")
         ->required()
         ->type_name("DIR");
     command
         ->add_option(
             "--exercises", setup->exercises,
-            "folder of files of exercises (default: 'exercises' beside the lessons, if it is there)")
+            "folder of files of exercises (default: 'exercises' beside the lessons, if it exists)")
         ->type_name("FOLDER");
-    command->add_option("--title", setup->title, "of the course")->type_name("TEXT");
+    command->add_option("--title", setup->title, "title of the course")->type_name("TEXT");
     command
-        ->add_option("--slides", setup->slides, "the slides that lessons name: a PDF file to copy, or a URL")
+        ->add_option("--slides", setup->slides, "slides that lessons refer to: a PDF file to copy, or a URL")
         ->type_name("FILE");
     command
         ->add_option(
             "--page", setup->page,
-            "files of the program as a page (default: those that were built or installed)")
+            "files of the web version of the program (default: those that were built or installed)")
         ->type_name("FOLDER");
     command->footer(
         "Example: jointwise site lessons/catalogue --out public --title 'Spatial kinematics' --slides "

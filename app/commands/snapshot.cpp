@@ -39,7 +39,7 @@ constexpr const char* kJson = "report.json";
 constexpr std::array kReports{kPage, kJunit, kJson};
 constexpr std::size_t kLargestLesson = 1U << 26U;
 
-/// A lesson with its text, as the commands take it.
+/// A lesson with its text, as the commands read it.
 struct Opened {
     Lesson lesson;
     std::string text;
@@ -61,7 +61,7 @@ SnapshotRules rules_of(const SnapshotOptions& options) {
     return *read.rules;
 }
 
-/// The head of a recorded lesson, if it was recorded in the language of now.
+/// Checks that a lesson is recorded, in the present language.
 /// @throws std::runtime_error saying what to do
 void check_head(const snapshot::GoldenFolder& folder) {
     if (!folder.exists()) {
@@ -77,7 +77,7 @@ void check_head(const snapshot::GoldenFolder& folder) {
     }
 }
 
-/// How snapshots are taken into a folder: as those that are there, and those that are chosen besides.
+/// Settings for snapshots in a folder: those of existing snapshots, with the newly chosen names added.
 snapshot::GoldenHead head_for(const snapshot::GoldenFolder& folder, const snapshot::GoldenHead& wanted) {
     if (!folder.exists()) { return wanted; }
     check_head(folder);
@@ -112,7 +112,7 @@ Exit record_command(const SnapshotOptions& options, const Streams& streams) {
     return Exit::done;
 }
 
-/// Compares one lesson; what keeps it from being compared is part of the result.
+/// Compares one lesson; if it cannot be compared, the result says why.
 snapshot::LessonResult compared(
     const SnapshotOptions& options, const snapshot::SuiteLesson& lesson, const SnapshotRules& rules,
     const std::set<snapshot::Fault>& controls, const Streams& streams) {
@@ -129,7 +129,7 @@ snapshot::LessonResult compared(
     return result;
 }
 
-/// Compares the suite; what is found is told as soon as it is known if `tells`.
+/// Compares the suite. If `tells`, each result is written as soon as it is known.
 std::vector<snapshot::LessonResult> compared(
     const SnapshotOptions& options, bool tells, const Streams& streams) {
     const SnapshotRules rules = rules_of(options);
@@ -144,7 +144,7 @@ std::vector<snapshot::LessonResult> compared(
     for (const snapshot::SuiteLesson& lesson : suite) {
         add(compared(options, lesson, rules, controls, streams));
         if (!results.back().problem.empty()) { continue; }
-        // what this lesson had no room for is tried in the next one
+        // a fault that could not be made in this lesson is tried in the next one
         controls.clear();
         for (const auto& skipped : results.back().controls.skipped) { controls.insert(skipped.kind); }
     }
@@ -172,7 +172,7 @@ Exit compare_command(const SnapshotOptions& options, const Streams& streams) {
     return exit_of(results);
 }
 
-/// Makes the folder of the report, if it is not there.
+/// Makes the folder of the report if it does not exist.
 fs::path report_folder(const SnapshotOptions& options) {
     std::error_code error;
     fs::create_directories(options.out, error);
@@ -262,7 +262,7 @@ CLI::App* add_verb(CLI::App& command, const char* name, const char* about, const
 }  // namespace
 
 void add_snapshot(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("snapshot", "compare lessons with what they looked like");
+    CLI::App* command = app.add_subcommand("snapshot", "compare lessons with earlier snapshots of them");
     command->require_subcommand(1);
     command->footer(
         "Example: jointwise snapshot record lessons/ --golden golden/\n"
@@ -274,33 +274,34 @@ void add_snapshot(CLI::App& app, const Streams& streams, Run& run) {
         verb->callback([=, &run, &streams] { run = [=, &streams] { return what(*options, streams); }; });
     };
 
-    CLI::App* record = add_verb(*command, "record", "take the snapshots that are not there yet", options);
-    record->add_option("--size", options->size, "pixels")->type_name("WxH")->capture_default_str();
-    record->add_option("--moments", options->moments, "moments of the motion")
+    CLI::App* record = add_verb(*command, "record", "take the snapshots that do not exist yet", options);
+    record->add_option("--size", options->size, "size in pixels")->type_name("WxH")->capture_default_str();
+    record->add_option("--moments", options->moments, "number of moments of the motion")
         ->check(CLI::Range(0, 1000))
         ->type_name("N")
         ->capture_default_str();
-    record->add_option("--only", options->only, "steps by their names, in place of all that is stopped at")
+    record->add_option("--only", options->only, "names of the steps to record, instead of the default steps")
         ->type_name("NAME");
     runs(record, record_command);
 
-    CLI::App* compare = add_verb(*command, "compare", "compare; status 1 if something differs", options);
+    CLI::App* compare =
+        add_verb(*command, "compare", "compare with the snapshots; status 1 if something differs", options);
     add_format_option(*compare, options->format, {"text", "json", "junit"});
     runs(compare, compare_command);
 
     CLI::App* report = add_verb(
-        *command, "report", "compare, and write a page with pictures, JUnit and JSON; status as compare",
+        *command, "report", "compare, and write a page with pictures, JUnit and JSON; status as for compare",
         options);
     report
         ->add_option(
-            "--out", options->out, "folder for index.html, junit.xml and report.json; made if needed")
+            "--out", options->out, "folder for index.html, junit.xml and report.json; created if needed")
         ->required()
         ->type_name("DIR");
     runs(report, report_command);
 
-    CLI::App* bless = add_verb(*command, "bless", "put what is seen now in place of what differs", options);
-    bless->add_option("--only", options->only, "snapshots by their names")->type_name("NAME");
-    bless->add_option("--reason", options->reason, "why; it is kept")->required()->type_name("TEXT");
+    CLI::App* bless = add_verb(*command, "bless", "replace snapshots that differ by new ones", options);
+    bless->add_option("--only", options->only, "names of snapshots")->type_name("NAME");
+    bless->add_option("--reason", options->reason, "reason; it is recorded")->required()->type_name("TEXT");
     runs(bless, bless_command);
 }
 

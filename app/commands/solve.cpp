@@ -32,7 +32,7 @@ struct SolveOptions {
     std::string proof;
 };
 
-// a table of more rows than this is a slip of a decimal point
+// more rows than this are probably caused by a misplaced decimal point
 constexpr double kMostRows = 1e6;
 
 SweepPlan plan_of(const SolveOptions& options, const Lesson& lesson) {
@@ -64,7 +64,7 @@ void write_csv(const Sweep& sweep, std::ostream& out) {
     }
 }
 
-/// The first row whose answer misses its equations by more than rounding, where nothing else has said so.
+/// Warns about the first row that violates its equations by more than rounding, if nothing else has said so.
 void warn_of_residuals(const Sweep& sweep, Analysis analysis, const Streams& streams) {
     const auto say = [&](const char* what, EquationResidual KinematicResiduals::*part) {
         for (const SweepRow& row : sweep.rows) {
@@ -82,7 +82,7 @@ void warn_of_residuals(const Sweep& sweep, Analysis analysis, const Streams& str
 }
 
 void warn_of_crossings(const Sweep& sweep, const Streams& streams) {
-    // of a motion of very many turns: what they are is clear by then
+    // after this many warnings about a motion of very many turns, their meaning is clear
     constexpr std::size_t most = 20;
     const std::size_t count = sweep.crossings.size();
     for (std::size_t k = 0; k < std::min(most, count); ++k) {
@@ -147,7 +147,7 @@ Exit solve_command(const SolveOptions& options, const Streams& streams) {
 
 void add_solve(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
-        app.add_subcommand("solve", "positions, velocities and accelerations over time, as a table");
+        app.add_subcommand("solve", "compute positions, velocities and accelerations over time, as a table");
     auto options = std::make_shared<SolveOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->experiments);

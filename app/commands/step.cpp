@@ -20,10 +20,10 @@ struct StepOptions {
 };
 
 constexpr int kWidth = 100;
-/// Moments of the motion that are told; all of them are in the JSON.
+/// Number of moments of the motion in the text; the JSON has all of them.
 constexpr int kMoments = 9;
 
-/// The steps that text shows: everything before the motion, and some moments of it.
+/// The steps in the text: everything before the motion, and some moments of it.
 std::vector<int> told_steps(const Story& story, int until) {
     std::vector<int> all;
     std::vector<int> motion;
@@ -74,7 +74,7 @@ Exit step(const StepOptions& options, const Streams& streams) {
 }  // namespace
 
 void add_step(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("step", "tell a lesson joint by joint");
+    CLI::App* command = app.add_subcommand("step", "show the steps of a lesson, joint by joint");
     auto options = std::make_shared<StepOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->experiments);

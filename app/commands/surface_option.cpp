@@ -18,8 +18,8 @@ constexpr const char* kVariable = "JOINTWISE_SURFACE";
 void add_surface_option(CLI::App& app, std::string& name) {
     app.add_option(
            "--surface", name,
-           std::string("What draws pictures without a window: osmesa or egl (default: ") + kVariable +
-               ", else what there is, osmesa first)")
+           std::string("Library that draws pictures without a window: osmesa or egl (default: ") + kVariable +
+               ", else the one that is installed, osmesa first)")
         ->type_name("NAME");
 }
 

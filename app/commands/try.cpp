@@ -33,7 +33,7 @@ void write_text(const Session& session, const std::vector<std::string>& done, co
 
 Exit try_command(const TryOptions& options, const Streams& streams) {
     const Lesson lesson = lesson_of(options.file, streams);
-    // nothing but an experiment leads into the motion
+    // only experiments can lead into the motion
     Session session(lesson, !options.experiments.empty());
     session.apply(GoTo{session.story().last_assembled()});
     const std::vector<std::string> done = carry_out_all(session, options.experiments);
@@ -51,7 +51,7 @@ Exit try_command(const TryOptions& options, const Streams& streams) {
 
 void add_try(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand(
-        "try", "what can be tried in a lesson, and what it would do to rank and condition");
+        "try", "list the experiments of a lesson, with their effect on rank and condition");
     auto options = std::make_shared<TryOptions>();
     command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
     add_try_option(*command, options->experiments);

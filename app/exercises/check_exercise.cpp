@@ -70,7 +70,7 @@ void measure(const Task& task, ExerciseCheck& check) {
     check.most_condition = std::max(check.most_condition, task.asked.condition);
 }
 
-/// How alike the variants are.
+/// How similar the variants are.
 std::string alike_text(const ExerciseCheck& check) {
     std::string text = std::to_string(check.draws) + (check.draws == 1 ? " draw" : " draws");
     if (check.most_nonzero > 0) {
@@ -84,7 +84,7 @@ std::string alike_text(const ExerciseCheck& check) {
     return text;
 }
 
-/// Students of one question, the alternatives of `exercise` left out.
+/// Checks students of one question, without the alternatives of `exercise`.
 void check_variants(const Exercise& exercise, int variants, ExerciseCheck& check) {
     const TaskMaker maker(exercise);
     const KindOfExercise& kind = kind_of(exercise.kind);
@@ -116,9 +116,10 @@ std::vector<ClaimResult> check_exercises(const std::vector<Exercise>& exercises,
         result.moment = "for " + std::to_string(variants) + (variants == 1 ? " student" : " students");
         result.subject = "exercise " + exercise.name;
         result.expected = "right answer and mistakes told apart";
-        result.found = check.holds()
-                           ? std::to_string(check.mistakes) + " mistakes named; " + alike_text(check)
-                           : check.problems.front();
+        result.found = check.holds() ? std::to_string(check.mistakes) +
+                                           (check.mistakes == 1 ? " mistake named; " : " mistakes named; ") +
+                                           alike_text(check)
+                                     : check.problems.front();
         results.push_back(std::move(result));
     }
     return results;

@@ -25,7 +25,7 @@ constexpr std::array kFormulaMistakes{
         "slide 2", alterations::exchanged_bodies},
     FormulaMistake{
         "wrong-body", tr_later("a symbol of the other body"),
-        tr_later("{0} was taken from the other body: mind the index i or j."), "slide 2",
+        tr_later("{0} was taken from the other body: check the index i or j."), "slide 2",
         alterations::wrong_body},
     FormulaMistake{
         "local-for-global", tr_later("components of the body for global ones"),
@@ -54,7 +54,7 @@ constexpr std::array kFormulaMistakes{
         "slide 3", alterations::other_frame, tr_later("{0} has the components of the other frame.")},
     FormulaMistake{
         "g-for-l", tr_later("G and L mixed up"),
-        tr_later("{0} is the wrong one of G and L: ω = 2 G ṗ, ω′ = 2 L ṗ."), "slide 13",
+        tr_later("{0} must be the other one of G and L: ω = 2 G ṗ, ω′ = 2 L ṗ."), "slide 13",
         alterations::g_for_l},
     FormulaMistake{
         "factor", tr_later("a factor is lost"), tr_later("The factor {0} of the formula is lost."), "",
@@ -93,9 +93,8 @@ constexpr std::array kFormulaMistakes{
         tr_later("The functions take radians, not degrees."), "", alterations::degrees_in_function},
     FormulaMistake{
         "inverse", tr_later("an inverse is forgotten"),
-        tr_later(
-            "{0} is missing: this is still the right side of the equations, not what they are solved for."),
-        "", alterations::forgotten_inverse},
+        tr_later("{0} is missing: this is the right side of the equations, not yet their solution."), "",
+        alterations::forgotten_inverse},
     FormulaMistake{
         "component", tr_later("another component"), tr_later("Another component was taken in place of {0}."),
         "slide 5", alterations::other_component}};
@@ -108,7 +107,7 @@ std::vector<std::string> mistake_names() {
     std::vector<std::string> names;
     for (const FormulaMistake& mistake : kFormulaMistakes) { names.emplace_back(mistake.name); }
     for (const ValueMistake& mistake : kValueMistakes) {
-        // "sign" is one of formulas, too
+        // "sign" is also a mistake of formulas
         if (std::ranges::find(names, mistake.name) == names.end()) { names.emplace_back(mistake.name); }
     }
     for (const CountMistake& of_count : kCountMistakes) { names.emplace_back(of_count.mistake.name); }

@@ -18,16 +18,16 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Programs compute with doubles: what they lose is far less, and what they get wrong far more.
+/// Programs compute with doubles: rounding errors are far smaller than this, mistakes far larger.
 constexpr double kTolerance = 1e-6;
 constexpr double kWorthOfCases = 0.5;
-/// Entries of one answer that are told.
+/// Number of entries of one answer that are listed in the feedback.
 constexpr int kMostEntriesTold = 4;
 constexpr std::array kHardStates{
     tr_later("all orientations p = (1, 0, 0, 0)"), tr_later("e0 = 0: half a turn"),
     tr_later("a turn of almost 360 degrees"), tr_later("positions a thousand times as large")};
 
-/// A state of the bodies in which a program is tried.
+/// A state of the bodies in which a program is tested.
 struct CodeCase {
     const char* name = nullptr;  ///< message; null: a random state
     Asked asked;
@@ -103,12 +103,13 @@ Judged refused(std::string why) {
     return judged;
 }
 
-/// Numbers, of which one is NaN or infinite.
+/// True for numbers of which at least one is NaN or infinite.
 bool is_without_value(const MatrixX& given) { return given.size() > 0 && !given.allFinite(); }
 
 bool is_random(const CodeCase& c) { return c.name == nullptr; }
 
-/// There is an answer in a random state: in special ones mistakes may agree with each other.
+/// True if there is an answer in a random state: in special states, different mistakes may give the same
+/// answer.
 bool can_tell_mistakes(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given) {
     for (std::size_t k = 0; k < given.size(); ++k) {
         if (is_random(cases[k]) && !is_without_value(given[k])) { return true; }
@@ -116,7 +117,7 @@ bool can_tell_mistakes(const std::vector<CodeCase>& cases, const std::vector<Mat
     return false;
 }
 
-/// The known mistake that gives all these answers; those without a value tell nothing.
+/// The known mistake that gives all these answers; answers without a value are ignored.
 const KnownMistake* mistake_of(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& given) {
     if (!can_tell_mistakes(cases, given)) { return nullptr; }
     const std::size_t count = cases.front().asked.mistakes.size();
@@ -141,7 +142,7 @@ std::string entry_text(double entry, int digits) {
     return std::isfinite(entry) ? number_text(entry, digits) : "NaN";
 }
 
-/// Sentence about a wrong answer in a state: its shape, or the entries that differ.
+/// Sentence about a wrong answer in a state: it tells the shape, or the entries that differ.
 std::string told_answer(const std::string& state, const MatrixX& right, const MatrixX& given) {
     if (given.size() == 0) {
         return tr(
@@ -192,7 +193,8 @@ void tell_missing_values(
         state_of(cases, static_cast<std::size_t>(first - given.begin()))));
 }
 
-/// Too many answers or too few: they are taken in order, as far as there are states, and not for all points.
+/// For too many or too few answers: they are taken in order, as far as there are states, and cannot earn all
+/// points.
 void tell_number_of_answers(std::size_t answers, std::size_t cases, Judged& judged) {
     const auto count = static_cast<int>(answers);
     judged.feedback.insert(
@@ -238,7 +240,7 @@ void tell_cases(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& 
     judged.feedback.push_back(told_answer(state_of(cases, at), first->asked.right, given[at]));
     tell_missing_values(cases, given, judged);
     if (wrong_and_random == 0 && given.size() == cases.size()) {
-        judged.feedback.emplace_back(tr("Only special states are wrong: mind limits and divisions."));
+        judged.feedback.emplace_back(tr("Only special states are wrong: check limits and divisions."));
     }
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kLargestHandedFile = 200000;
 constexpr std::size_t kMostActions = 20;
 
-// claims and texts can tell the answer
+// claims and texts can give the answer away
 const std::vector<std::string> kNotHandedOut{"expect", "question", "try", "exercise", "step"};
 
 std::string expected_of(const Exercise& exercise) {
@@ -35,9 +35,9 @@ std::string not_reached(const ClaimResult& result) {
     return followed(told, result.why);
 }
 
-/// Part of the points for a file that meets some of the claims: those that hold already in the file as it is
-/// handed out earn nothing. Nor do counts alone where more is asked for: any joints of so many equations have
-/// them.
+/// Fraction of the points for a file that meets some of the claims. Claims that hold already in the file as
+/// it is handed out earn nothing. If other claims are asked for as well, counts alone earn nothing, either:
+/// any joints with as many equations satisfy them.
 /// @param before   the file as it is handed out
 /// @param results  of the claims of `lesson`
 double share_of(
@@ -63,7 +63,7 @@ double share_of(
     return earns ? static_cast<double>(gained) / to_gain : 0.0;
 }
 
-/// Claims of a lesson file that somebody else wrote.
+/// Judges the claims of a lesson file that somebody else wrote.
 /// @param before  the file as it is handed out
 void judge_claims(
     const std::string& file, const std::string& before, const Exercise& exercise, Judged& judged) {
@@ -76,7 +76,7 @@ void judge_claims(
     const ReadResult read = read_lesson_with_claims(file, name, expected_of(exercise));
     if (!read.lesson) {
         judged.understood = false;
-        // mistakes in the file have a place there, what claims miss in it has none
+        // a mistake in the file has a place there; a part that the claims miss has none
         const ReadResult alone = read_lesson_with_claims(file, name, "");
         judged.feedback.push_back(
             alone.lesson
@@ -89,7 +89,7 @@ void judge_claims(
     judged.share = judged.right ? 1.0 : share_of(*read.lesson, results, before, exercise);
     for (const ClaimResult& result : results) {
         if (result.holds) { continue; }
-        // of a pose that is not reached every claim says the same
+        // if a pose is not reached, every claim gives the same message
         std::string said = not_reached(result);
         if (std::ranges::find(judged.feedback, said) == judged.feedback.end()) {
             judged.feedback.push_back(std::move(said));
@@ -118,7 +118,7 @@ void name_missing_joint(Judged& judged, std::size_t joints, std::size_t needed) 
             "{0} joints were added; {1} are needed.", needed));
 }
 
-/// More than is needed costs its share.
+/// Using more than needed costs a share of the points.
 /// @param says  message; {0} is what was used, {1} what is needed
 void charge(Judged& judged, std::size_t used, std::size_t needed, const char* says) {
     if (used <= needed || judged.share == 0.0) { return; }
@@ -149,8 +149,8 @@ std::string healthy(const Task& task) {
     return without_texts(without_tables(task.variant.scene, kNotHandedOut));
 }
 
-/// What differs from the file that was handed out. A program that saves a lesson writes all of it anew: such
-/// a file is compared with what was handed out, written anew.
+/// The difference from the file that was handed out. A program that saves a lesson writes the whole file
+/// again: such a file is compared with the handed-out file, also written again.
 SceneDifference difference_from_handed_out(const std::string& before, const std::string& after) {
     SceneDifference difference = difference_of(before, after);
     if (difference.count() == 0) { return difference; }
@@ -220,7 +220,7 @@ Judged judge_repair(const Task& task, const Handed& handed) {
         judged.share = 0.0;
         name_mistake(
             judged, "unchanged", tr("nothing was changed"),
-            tr("Nothing that matters was changed: the file is as sick as before."));
+            tr("No change affects the fault: the file is as wrong as before."));
     } else if (!judged.understood && removed == difference.removed.end()) {
         return judged;
     } else if (removed != difference.removed.end() && !judged.right) {
@@ -229,8 +229,7 @@ Judged judge_repair(const Task& task, const Handed& handed) {
         name_mistake(
             judged, joint ? "joint-removed" : "driver-removed",
             joint ? tr("the joint was taken out") : tr("the driver was taken out"),
-            tr("'{0}' was taken out: the illness is gone with the patient. It has to stay, and to be mended.",
-               *removed));
+            tr("'{0}' was taken out. It must stay; repair it instead.", *removed));
     } else {
         charge(
             judged, difference.count(), static_cast<std::size_t>(task.exercise().most),

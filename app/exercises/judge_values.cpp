@@ -14,13 +14,13 @@ namespace jw {
 
 namespace {
 
-/// Right entries are worth half of their share where the whole is wrong and the mistake is not known.
+/// Right entries earn half of their share if the whole is wrong and the mistake is not known.
 constexpr double kWorthOfEntries = 0.5;
-/// Closer than this, in tolerances, an answer is probably rounded too early.
+/// An answer that is nearer than this many tolerances was probably rounded too early.
 constexpr double kRoundedEarly = 10.0;
-/// Any other answer has to be so many times farther away than that of a mistake that is named.
+/// To name a mistake, every other answer must be this many times farther away.
 constexpr double kClearly = 3.0;
-/// Pairs of mistakes among which one number can be told.
+/// For a single number, at most this many pairs of mistakes are tried.
 constexpr std::size_t kMostPairsOfNumber = 20;
 
 bool is_exact(const Asked& asked) { return asked.tolerance == 0.0; }
@@ -42,7 +42,7 @@ std::string shape_of(const MatrixX& m) {
     return tr("{0} × {1} numbers", m.rows(), m.cols());
 }
 
-/// A row where a column is meant, and the reverse; not for matrices.
+/// A row becomes a column where one is expected, and the reverse; not for matrices.
 MatrixX in_shape_of(const MatrixX& right, const MatrixX& given) {
     const bool both_vectors =
         std::min(right.rows(), right.cols()) == 1 && std::min(given.rows(), given.cols()) == 1;
@@ -50,8 +50,8 @@ MatrixX in_shape_of(const MatrixX& right, const MatrixX& given) {
     return both_vectors && turned ? MatrixX(given.transpose()) : given;
 }
 
-/// How far a mistaken answer is written off: its digits are as many as those of the right answer, and it may
-/// be much larger.
+/// Allowed distance from a mistaken answer. It has as many digits as the right answer, but may be much
+/// larger.
 double tolerance_of(const KnownMistake& mistake, const Task& task) {
     const Asked& asked = task.asked;
     if (is_exact(asked)) { return 1e-9; }
@@ -60,7 +60,7 @@ double tolerance_of(const KnownMistake& mistake, const Task& task) {
     return asked.tolerance * std::max(1.0, mistake.answer.cwiseAbs().maxCoeff() / right);
 }
 
-/// The nearest known mistake, if the answer is as near as its digits say, and clearly nearer to it than to
+/// The nearest known mistake, if the answer is as near as its digits allow, and clearly nearer to it than to
 /// any other answer.
 const KnownMistake* known_mistake(const Task& task, const MatrixX& given) {
     const Asked& asked = task.asked;
@@ -82,12 +82,12 @@ const KnownMistake* known_mistake(const Task& task, const MatrixX& given) {
     return unclear ? nullptr : nearest;
 }
 
-/// Two terms that are missing or have the wrong sign, if only one such pair leads to the answer, and no right
-/// answer or single mistake is as near.
+/// Two terms that are missing or have the wrong sign, if exactly one such pair leads to the answer, and
+/// neither the right answer nor a single mistake is as near.
 std::optional<KnownMistake> mistake_in_two_terms(const Task& task, const MatrixX& given) {
     const Asked& asked = task.asked;
     std::vector<KnownMistake> pairs = mistakes_in_two_terms(task.variant);
-    // one number among many is soon near to one of them by chance
+    // with many pairs, a single number is near to one of them by chance
     if (given.size() == 1 && pairs.size() > kMostPairsOfNumber) { return std::nullopt; }
     std::erase_if(pairs, [&](const KnownMistake& pair) {
         return difference_from(pair.answer, given, asked) > asked.tolerance;
@@ -104,7 +104,7 @@ std::optional<KnownMistake> mistake_in_two_terms(const Task& task, const MatrixX
 
 std::string with_unit(const Asked& asked) { return asked.unit.empty() ? "" : " " + asked.unit; }
 
-/// Which entries differ, and by how much.
+/// Reports which entries differ, and by how much.
 void tell_entries(const Asked& asked, const MatrixX& given, Judged& judged) {
     int wrong = 0;
     int right_and_nonzero = 0;
@@ -125,14 +125,14 @@ void tell_entries(const Asked& asked, const MatrixX& given, Judged& judged) {
 }
 
 void tell_unknown(const std::string& apart, Judged& judged) {
-    judged.feedback.push_back(tr("No known mistake leads to this answer. It is off by {0}.", apart));
+    judged.feedback.push_back(tr("This answer matches no known mistake. It is off by {0}.", apart));
 }
 
 void tell_how_far(const Asked& asked, const MatrixX& given, Judged& judged) {
     const double apart = difference_from(asked.right, given, asked);
     tell_unknown(number_text(apart, 3) + with_unit(asked), judged);
     if (apart <= kRoundedEarly * asked.tolerance) {
-        judged.feedback.emplace_back(tr("That is near: was something rounded too early?"));
+        judged.feedback.emplace_back(tr("This is close. Was something rounded too early?"));
     }
     if (given.size() > 1 && !asked.sign_of_p) { tell_entries(asked, given, judged); }
 }
@@ -151,30 +151,29 @@ void tell_mistake(const KnownMistake& mistake, const Asked& asked, const MatrixX
     }
 }
 
-/// An order that is none of the known mistakes.
+/// Feedback on an order that is not a known mistake.
 void tell_order(const Task& task, const MatrixX& given, Judged& judged) {
     const MatrixX& right = task.asked.right;
     std::vector<double> numbers(given.data(), given.data() + given.size());
     std::ranges::sort(numbers);
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         if (numbers[k] == static_cast<double>(k + 1)) { continue; }
-        judged.feedback.push_back(
-            tr("Each of the numbers 1 to {0} has to stand there once.", numbers.size()));
+        judged.feedback.push_back(tr("Each number from 1 to {0} must appear once.", numbers.size()));
         return;
     }
     Eigen::Index first = 0;
     while (first + 1 < right.rows() && given(first, 0) == right(first, 0)) { ++first; }
     judged.feedback.push_back(
-        tr("The first wrong one is at place {0}: number {1} does not belong there.", first + 1,
+        tr("The first wrong entry is at position {0}: number {1} does not belong there.", first + 1,
            number_text(given(first, 0), 3)));
 }
 
-/// An answer that has to be exact, and is none of the known mistakes.
+/// Feedback on an answer that has to be exact and is not a known mistake.
 void tell_what_differs(const Task& task, const MatrixX& given, Judged& judged) {
     if (task.exercise().kind == ExerciseKind::order) { return tell_order(task, given, judged); }
     if (task.exercise().kind == ExerciseKind::choose) {
         judged.feedback.push_back(
-            tr("This is none of the choices; expected a number from 1 to {0}.", task.shown.size()));
+            tr("There is no such choice; expected a number from 1 to {0}.", task.shown.size()));
         return;
     }
     tell_unknown(number_text(difference_from(task.asked.right, given, task.asked), 3), judged);
@@ -190,7 +189,7 @@ std::string in_lower_case(const std::string& text) {
     return lower;
 }
 
-/// The place of a choice or item that is one letter, from 1; `word` where there is none.
+/// The place, from 1, of a choice or item that is one letter; `word` if there is none.
 std::string place_of_letter(const Task& task, const std::string& word) {
     const auto same = [&](const std::string& shown) {
         const bool letter = shown.size() == 1 && std::isalpha(static_cast<unsigned char>(shown.front())) != 0;
@@ -200,7 +199,8 @@ std::string place_of_letter(const Task& task, const std::string& word) {
     return found == task.shown.end() ? word : std::to_string(found - task.shown.begin() + 1);
 }
 
-/// Places of letters where components are chosen or sorted: "y" and "Y" are 2, "[x, Z, y]" is a list.
+/// Replaces letters by their places where components are chosen or sorted: "y" and "Y" are 2, "[x, Z, y]" is
+/// a list.
 std::string number_of_letter(const Task& task, const std::string& text) {
     const ExerciseKind kind = task.exercise().kind;
     if (kind != ExerciseKind::choose && kind != ExerciseKind::order) { return text; }

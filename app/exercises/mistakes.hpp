@@ -12,22 +12,22 @@
 /// Mistakes that students make, each as a function of the right formula.
 namespace jw {
 
-/// A mistake is an entry of kFormulaMistakes: what it makes of the right formula.
+/// A mistake is an entry of kFormulaMistakes; `alter` makes the mistaken formulas from the right one.
 struct FormulaMistake {
     const char* name;   ///< in exercise files and reports: "local-for-global"
     const char* title;  ///< message: "a vector in the frame of the body"
     const char* says;   ///< message, the feedback; {0} is the thing in the formula
     const char* slide;  ///< where it is explained, may be empty
     std::vector<Altered> (*alter)(const math::Row& right);
-    /// feedback where the whole of a definition is mistaken; {0} is what it defines; null: `says` fits
+    /// feedback if a whole definition is mistaken; {0} is what it defines; null: `says` fits
     const char* of_definition = nullptr;
 };
 std::span<const FormulaMistake> formula_mistakes();
 
-/// Two terms of a formula that are missing or have the wrong sign: looked for where no single mistake fits.
+/// Two terms of a formula that are missing or have the wrong sign: tried if no single mistake fits.
 inline constexpr const char* kTwoTermsName = "two-terms";
 
-/// A mistake in a value, whatever its formula: an entry of kValueMistakes.
+/// A mistake in a value, whatever the formula: an entry of kValueMistakes.
 struct ValueMistake {
     const char* name;
     const char* title;  ///< message
@@ -39,7 +39,7 @@ inline constexpr ValueMistake kOppositeSign{
     "sign", tr_later("wrong sign"), tr_later("This is the right answer with the opposite sign."), ""};
 inline constexpr ValueMistake kMixedUnits{
     "degrees", tr_later("degrees and radians mixed up"),
-    tr_later("This is the answer with the other one of degrees and radians; it is asked for in {0}."), ""};
+    tr_later("This answer mixes up degrees and radians; it must be in {0}."), ""};
 inline constexpr ValueMistake kFullTurn{
     "two-pi", tr_later("off by a turn"), tr_later("This is off by a full turn: this angle counts turns."),
     "slide 11"};
@@ -53,7 +53,7 @@ inline constexpr ValueMistake kWrongTwo{
     "slide 5"};
 inline constexpr std::array kValueMistakes{kOppositeSign, kMixedUnits, kFullTurn, kOtherBranch, kWrongTwo};
 
-/// Another number of the same pose in place of the one that is asked for.
+/// Another count at the same pose in place of the one that is asked for.
 struct CountMistake {
     Count count;
     ValueMistake mistake;
@@ -82,10 +82,9 @@ inline constexpr std::array kCountMistakes{
     CountMistake{
         Count::mobility_by_counting,
         {"counting", tr_later("Grübler's count"),
-         tr_later("This is Grübler's count: it takes every equation of the joints for an independent one."),
-         ""}}};
+         tr_later("This is Grübler's count: it counts every equation of the joints as independent."), ""}}};
 
-/// Names of all mistakes that an exercise can look for: of formulas, of values and of counts.
+/// Names of all mistakes that an exercise can look for: in formulas, values and counts.
 std::vector<std::string> mistake_names();
 
 }  // namespace jw

@@ -11,7 +11,7 @@ namespace jw::film {
 
 namespace {
 
-constexpr double kMostPictures = 100000.0;  // of the motion: an hour at 25 a second and more is a slip
+constexpr double kMostPictures = 100000.0;  // of the motion: more than an hour at 25 per second is a mistake
 constexpr float kLargestLetters = 9.0F;     // of a frame of 11520x6480; two thirds of the largest texture
 constexpr double kLargestText = 1.5;        // as in the window
 
@@ -68,7 +68,7 @@ std::string problem_of_format(const FilmSettings& settings, const OptionNames& n
     }
     const bool has_loop = settings.format == FilmFormat::gif || settings.format == FilmFormat::apng;
     if (settings.repeat == render::Repeat::without_end && !has_loop) {
-        return names.before + "loop is of .gif and .apng; for other films players have it";
+        return names.before + "loop is only for .gif and .apng; players can repeat other films";
     }
     if (!needs_ffmpeg(settings.format) || has_ffmpeg()) { return {}; }
     return names.before + "out '" + settings.file.string() +

@@ -64,10 +64,11 @@ Result parallelogram_through_change_points() {
     Result result;
     result.naive =
         "at the change point both branches satisfy all equations, and the nearest pose is on the other "
-        "branch as often as not. The motion continues there without a message.";
+        "branch about half of the time. The motion continues there without a message.";
     result.ours =
-        "every step up to the change point is proved to stay on its branch; across it the last tangent, "
-        "continued, distinguishes the branches. The frames at the change points are reported as such.";
+        "every step up to the change point is proved to stay on its branch. Across the change point, the "
+        "continued last tangent distinguishes the branches. The frames at the change points are reported as "
+        "such.";
     for (const int frames : {8, 40, 360}) {  // 45 deg + k 360 deg / n meets 180 deg and 360 deg exactly
         const Journey naive = by_newton_from_last_pose(lesson, start, frames);
         const Journey ours = by_tracker(lesson, start, frames);

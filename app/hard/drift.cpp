@@ -41,11 +41,11 @@ Result drift_off_the_constraints() {
 
     Result result;
     result.naive =
-        "Φq q̈ = γ alone lets the pin slip further and further; Baumgarte's terms keep it close, but α is a "
-        "guess: with ten times as much, steps of 20 ms are too long and the solution diverges.";
+        "with Φq q̈ = γ alone, the pin moves further and further off. Baumgarte's terms keep it close, but α "
+        "is a guess: if it is ten times as large, steps of 20 ms are too long and the solution diverges.";
     result.ours =
-        "projection onto Φ = 0 and Φ̇ = 0 after every step, nearest in the metric of M: there is no parameter "
-        "to choose.";
+        "after every step the state is projected onto Φ = 0 and Φ̇ = 0, to the nearest point in the metric of "
+        "M. There is no parameter to choose.";
     result.measurements = {
         // 1 m is the length of the pendulum
         of_both("pin off by, none [m]", none.violation, at_least(1e-2), projected.violation, at_most(1e-13)),

@@ -44,8 +44,9 @@ Result energy_is_not_accuracy() {
     const Trajectory fine = run_of(scene, adaptive(Method::explicit_8, 1e-9));
     Result result;
     result.naive =
-        "the energy is right to rounding because it was made so; the chain is somewhere else altogether.";
-    result.ours = "both are shown, and each is an error of its own.";
+        "the energy is right up to rounding because it was corrected, but the chain is at a completely "
+        "different place.";
+    result.ours = "both errors are shown separately.";
     // rounding against metres for the naive one; a hundred times the tolerance for ours
     result.measurements = {
         of_both(

@@ -87,10 +87,11 @@ Result anti_parallel_start() {
     }
     Result result;
     result.naive =
-        "s_i x s_j = 0 holds for the upside-down top to the last digit: converged, without a single step.";
+        "s_i x s_j = 0 holds to the last digit for the upside-down top, so the method converges without a "
+        "single step.";
     result.ours =
-        "s_i · s_j > 0, which is in no equation, is checked after every solve; the body is turned by half a "
-        "turn and solved again.";
+        "s_i · s_j > 0, which no equation contains, is checked after every solution. If it does not hold, "
+        "the body is turned by half a turn and the equations are solved again.";
     // 180 deg: cosines of rounded vectors
     result.measurements.push_back(of_both(
         "s_i · s_j found, from exactly 180 deg off", axes_cosine(joint, naive.state), at_most(-0.99),
@@ -112,8 +113,9 @@ Result start_170_degrees_off() {
     Count count;
     for (const char* lesson : kLessons) { count_from(lesson, 170.0 * kDegree, 50, count); }
     Result result;
-    result.naive = "the nearest solution is the one upside down; full steps lead there or do not converge.";
-    result.ours = "steps of at most 0.5 rad go to the nearest solution; it is recognised and left.";
+    result.naive = "the nearest solution is upside down; full steps lead to it or do not converge.";
+    result.ours =
+        "steps of at most 0.5 rad lead to the nearest solution; it is recognised as wrong and left.";
     result.measurements.push_back(of_both(
         "joints assembled as intended, of 200", double(count.naive_closed - count.naive_wrong), at_most(20.0),
         double(count.ours_right), exactly(200.0)));

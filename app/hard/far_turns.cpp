@@ -85,9 +85,9 @@ Result wound_spring() {
 
     Result result;
     result.naive =
-        "beyond half a turn the spring is taken to pull the other way, so the disc is released and spins on.";
+        "beyond half a turn the spring is taken to pull in the opposite direction, so the disc spins on.";
     result.ours =
-        "turns are counted from step to step, and steps are short enough for that, whatever is integrated.";
+        "turns are counted from step to step, and the steps are short enough for that in all coordinates.";
     result.measurements = {
         of_both(
             "mark on the rim off by [m]", (end_at(naive) - end_at(exact)).norm(), any(),

@@ -42,11 +42,12 @@ Result four_bar_through_its_line() {
 
     Result result;
     result.naive =
-        "small residuals become large accelerations near the line; one window leaves it folded, its energy "
-        "nearly conserved, and four windows end elsewhere if they pass it at all.";
+        "small residuals cause large accelerations near the line. The mechanism with one window leaves the "
+        "line folded, with its energy nearly conserved; the one with four windows ends elsewhere or does not "
+        "pass the line.";
     result.ours =
-        "stages near the line are moved onto the constraints first, and the step goes over it: every "
-        "parallelogram stays one.";
+        "stages near the line are first moved onto the constraints, and the step crosses the line: every "
+        "parallelogram remains one.";
     // the point moves on a circle of 1 m: another branch is metres away
     result.measurements = {
         of_both(

@@ -52,9 +52,9 @@ Result kept_pair_at_right_angle() {
     }
     Result result;
     result.naive =
-        "the pair x, y of the start loses its rank where s_i has turned into the plane x-y: the "
-        "Jacobian is singular, although the mechanism is not.";
-    result.ours = "another pair is kept in time; the conditions stay near those of the start.";
+        "the rows x and y, chosen at the start, become dependent where s_i has turned into the plane x-y. "
+        "The Jacobian is singular there, although the mechanism is not.";
+    result.ours = "another pair is chosen in time, and the condition numbers stay near those of the start.";
     result.measurements.push_back(of_ours("poses of one turn found, of 241", double(poses), exactly(241)));
     // 12 equations, 12 unknowns
     result.measurements.push_back(of_both(

@@ -104,11 +104,10 @@ Result masses_eighteen_decades_apart() {
     const double size = largest(truth);
     Result result;
     result.naive =
-        "1/m of a heavy body is lost beside that of the light one that carries it: no digit is right, and "
-        "nothing says so.";
+        "1/m of a heavy body is lost in rounding beside 1/m of the light body that carries it. No digit is "
+        "right, and no message says so.";
     result.ours =
-        "masses do not enter the rank, and where light bodies carry heavy ones the whole matrix is solved "
-        "with "
+        "masses do not affect the rank; where light bodies carry heavy ones, the whole matrix is solved with "
         "pivoting.";
     result.measurements = {
         of_both(

@@ -118,9 +118,9 @@ Result orders_measured() {
     const auto near = [](double order) { return Bounds{order - 0.3, order + 1.0}; };
     Result result;
     result.naive =
-        "a body turned by the average of four angular velocities does not arrive where the small turns add "
-        "up to: the method of fourth order has become one of second order, unnoticed.";
-    result.ours = "p is integrated as it is, by ṗ = ½ Lᵀ ω', and moved to unit length after the step.";
+        "a turn by the average of four angular velocities is not the sum of the small turns. The method of "
+        "fourth order becomes one of second order, unnoticed.";
+    result.ours = "p itself is integrated, by ṗ = ½ Lᵀ ω', and normalised after the step.";
     result.measurements = {
         of_ours("order of euler", by.order<ExplicitIntegrator>(1000, explicit_euler()), near(1)),
         of_ours("order of semi-implicit", by.order<SemiImplicitEuler>(1000), near(1)),

@@ -76,9 +76,8 @@ Result turning_about_the_middle_axis() {
 
     Result result;
     result.naive =
-        "1000 small steps a second look smooth, but energy grows, and how long the body waits before it "
-        "turns "
-        "over depends on tiny differences.";
+        "with 1000 steps a second the motion looks smooth, but the energy grows, and the time until the body "
+        "turns over depends on tiny differences.";
     result.ours = "every flip comes at the time that the elliptic functions give.";
     // the knob is 0.17 m out: 0.1 m is another attitude. Ours: 1e-12 a step, carried on by each flip
     result.measurements = {

@@ -68,7 +68,7 @@ Result million_steps_of_a_free_body() {
     Result result;
     result.naive = "|p| drifts by the error of the method, and bodies are drawn too large or too small.";
     result.ours =
-        "|p| = 1 to rounding with every method; energy and momentum say how good the method itself is.";
+        "|p| = 1 up to rounding with every method; energy and momentum show how good the method itself is.";
     // one normalisation is right to 1e-16; without it the error of the method adds up a million times
     const Bounds rounding = at_most(1e-14);
     result.measurements = {

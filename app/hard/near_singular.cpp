@@ -62,8 +62,9 @@ Result towards_a_change_point() {
     constexpr double kRounding = 1e-16;
     const Mechanism lesson = assembled_mechanism("loops/parallelogram.toml");
     Result result;
-    result.naive = "JᵀJ has the square of the condition number: twice as many digits are lost.";
-    result.ours = "as many digits are lost as the condition number has.";
+    result.naive =
+        "the condition number of JᵀJ is the square of that of J, so twice as many digits are lost.";
+    result.ours = "only as many digits are lost as the condition number has.";
     Errors worst;  // in condition numbers times rounding
     for (int power = 1; power <= 7; ++power) {
         const Errors errors = errors_at(lesson, std::pow(10.0, -power));

@@ -57,9 +57,9 @@ Result loops_turned_at_random() {
     }
     Result result;
     result.naive =
-        "counting says that all four are rigid, and (r, p) without the rows pᵀp = 1 shows too many "
-        "independent equations: a change of |p| passes for a freedom.";
-    result.ours = "the same verdict in every position, with the redundant equations named.";
+        "counting says that all four are rigid. In (r, p) without the rows pᵀp = 1, too many equations are "
+        "independent, because a change of |p| is taken for a freedom.";
+    result.ours = "the verdict is the same in every position, and the redundant equations are named.";
     const double all = double(kKnownLoops.size()) * kRotations;
     // (r, p) happens to be right where all axes are parallel and global: not where the scene is turned
     result.measurements.push_back(of_both(
@@ -97,9 +97,9 @@ Result long_and_short_vectors() {
     }
     Result result;
     result.naive =
-        "an equation of two short vectors is small all over and passes for zero; one of two long vectors is "
-        "so large that its rounding passes for an equation.";
-    result.ours = "the numbers are those of unit vectors.";
+        "an equation of two short vectors has only small entries and is taken for zero; one of two long "
+        "vectors is so large that its rounding is taken for an equation.";
+    result.ours = "the numbers are the same as for unit vectors.";
     const double all = double(kKnownLoops.size()) * kRotations;
     // elimination with full pivoting survives where the lengths happen to be alike
     result.measurements.push_back(of_both(

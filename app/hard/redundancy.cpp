@@ -111,12 +111,11 @@ Result tilted_axis() {
     }
     Result result;
     result.naive =
-        "the three equations taken out at the perfect geometry are never checked again: the loop \"closes\" "
-        "with "
-        "an axis that is not where it should be.";
+        "the three equations left out for the perfect geometry are never checked again, so the loop "
+        "\"closes\" with an axis that is not where it should be.";
     result.ours =
-        "such a loop cannot close, and the message names the joint and the gap. With a spherical and a "
-        "cylindrical joint nothing is redundant, and it closes at any tilt.";
+        "the message says that such a loop cannot close, and names the joint and the gap. With a spherical "
+        "and a cylindrical joint no equation is redundant, and the loop closes at any tilt.";
     result.measurements.push_back(of_both(
         "closed, of 12 tilts from 10^-1 to 10^-6 rad", double(tilts.naive_closed), exactly(12.0),
         double(tilts.count - tilts.refused), exactly(0.0)));
@@ -134,10 +133,10 @@ Result tilted_axis() {
 Result accidental_redundancy() {
     Result result;
     result.naive =
-        "the kept rows still leave the freedom that they left before: a rigid frame passes for a mechanism.";
+        "the kept rows leave the same freedom as before, so a rigid frame is taken for a mechanism.";
     result.ours =
-        "what was redundant by accident counts again, what is redundant by structure does not. Nothing is "
-        "remembered of the perfect geometry.";
+        "equations that were redundant by accident count again; those that are redundant by structure do "
+        "not. Nothing is kept from the perfect geometry.";
     for (const Loop& loop : kLoops) {
         const Mechanism mechanism = assembled_mechanism(loop.lesson);
         Dice dice(7);

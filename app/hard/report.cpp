@@ -83,10 +83,8 @@ std::string markdown_head() {
     return "# Hard cases\n\n"
            "Written by `./dev run bench --hard --format markdown`; do not edit. Each case runs a naive "
            "method and\n"
-           "Jointwise on the same mechanism. A test checks the required limits as well\n"
-           "(`tests/app/hard_cases_test.cpp`), of the naive ones too: where the naive method stopped "
-           "failing, "
-           "the case\n"
+           "Jointwise on the same mechanism. A test checks the required limits as well, also those of the\n"
+           "naive method (`tests/app/hard_cases_test.cpp`): if the naive method no longer failed, the case\n"
            "would no longer be hard.\n\n";
 }
 

@@ -72,8 +72,10 @@ Result rank_in_every_stage() {
     Result result;
     result.naive =
         "a stage lies off the constraints; there the redundant row is independent and contradicts the "
-        "others. Steps shrink until that no longer shows: the same motion costs many times as much.";
-    result.ours = "one set of rows for a whole step, chosen again only when it turns bad.";
+        "others. The steps shrink until this has no effect, and the same motion costs many times as much.";
+    result.ours =
+        "one set of rows is used for a whole step and is chosen again only when these rows become nearly "
+        "dependent.";
     // where a rank changes by rounding the naive count does, too: at least 5000 or 2000 were seen; ours is at
     // most ten times what was measured
     result.measurements = {

@@ -126,9 +126,9 @@ Result scene_of_any_size() {
 
     Result result;
     result.naive =
-        "1e-6 m and 1e-6 m/s count as equal, whatever the size of the scene: the cost of one and the same "
+        "errors of 1e-6 m and of 1e-6 m/s count as equal at every size of the scene, so the cost of the same "
         "motion depends on the units.";
-    result.ours = "errors are relative to the size of the scene: every size takes the same steps.";
+    result.ours = "errors are relative to the size of the scene, so every size takes the same steps.";
     const double naive_steps = double(naive_unit.counts.steps);
     // rounding may decide about one step
     const Bounds same{double(unit.counts.steps) - 1.0, double(unit.counts.steps) + 1.0};
@@ -167,10 +167,12 @@ Result scene_turned() {
     }
     Result result;
     result.naive =
-        "the equations x and y of every axis are right for axes along z; turned by 90 degrees, four rows "
-        "become empty, and the bodies are freer than they should be. At all other angles nobody notices.";
+        "the equations x and y of every axis are right for axes along z. If the scene is turned by 90 "
+        "degrees, four rows become empty and the bodies have too many freedoms. At other angles the mistake "
+        "is not noticed.";
     result.ours =
-        "each axis has its own pair, fixed in its body: the result does not depend on how the scene lies.";
+        "each axis has its own pair, fixed in its body, so the result does not depend on how the scene is "
+        "turned.";
     result.measurements = {
         of_both("turned scenes, of 10, with another rank", naive_verdicts, at_least(1), verdicts, exactly(0)),
         // rounding of some 20 steps

@@ -77,9 +77,9 @@ Result cosine_row_at_half_turns() {
     }
     Result result;
     result.naive =
-        "the derivative of cos θ vanishes at 0, 180, 360 deg: there the row is empty. Beyond it the nut "
-        "turns back while θ and the advance go on, since cos is even.";
-    result.ours = "sin(angle - θ) = 0 instead: the same row at every angle.";
+        "the derivative of cos θ is zero at 0, 180 and 360 deg, so the row is empty there. Beyond these "
+        "angles the nut turns back while θ and the advance go on, because the cosine is even.";
+    result.ours = "this is sin(angle - θ) = 0, and the row is the same at every angle.";
     result.measurements.push_back(of_both(
         "least rank of the 6 rows at θ = k 180 deg", double(naive.rank), exactly(5.0), double(ours.rank),
         exactly(6.0)));
@@ -116,8 +116,8 @@ Result a_thousand_turns() {
         ours = std::max(ours, std::abs(moved - asked));
     }
     Result result;
-    result.naive = "the angle is back where it was after every turn, and with it the advance.";
-    result.ours = "it is predicted along with the motion, and counts turns.";
+    result.naive = "after every turn the angle is back where it was, and so is the advance.";
+    result.ours = "θ is predicted along with the motion and counts the turns.";
     result.measurements.push_back(of_ours("poses lost, of 4000", double(lost), exactly(0.0)));
     // 120 m are known to 1.4e-14 m, and Newton stops at 1e-13 of the largest coordinate
     result.measurements.push_back(

@@ -80,7 +80,8 @@ Result loops_of_any_size() {
     }
     Result result;
     result.naive =
-        "lengths and angles are not distinguished: in a machine of a micrometre, lengths pass for zero.";
+        "lengths and angles are not distinguished. In a machine of one micrometre, lengths are taken for "
+        "zero.";
     result.ours = "lengths are compared in the scene's own unit (µm, mm, m, km ...).";
     result.measurements.push_back(of_both(
         "right ranks, of 52", double(verdicts.naive_right), at_most(48.0), double(verdicts.right),
@@ -116,10 +117,10 @@ Result large_and_small_side_by_side() {
         residual = std::max(residual, outcome.newton.residual);
     }
     Result result;
-    result.naive = "a millionth of a length passes for nothing.";
+    result.naive = "a millionth of a length is taken for zero.";
     result.ours =
-        "the verdict is right down to some 10^-8 of the machine; below that a loop counts as a point. Newton "
-        "brings in the small equations when the large ones hold.";
+        "the verdict is right down to about 10^-8 of the size of the machine; a smaller loop counts as a "
+        "point. Newton's method solves the small equations after the large ones.";
     result.measurements.push_back(of_both(
         "right ranks, of 4", double(verdicts.naive_right), at_most(1.0), double(verdicts.right),
         exactly(4.0)));

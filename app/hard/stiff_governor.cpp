@@ -16,9 +16,7 @@ Result stiff_governor() {
     const double naive_gain = double(naive_fine.counts.evaluations) / double(naive_coarse.counts.evaluations);
 
     Result result;
-    result.naive =
-        "steps are as short as the dampers require, whatever the tolerance: asking for less accuracy saves "
-        "nothing.";
+    result.naive = "the dampers require short steps at any tolerance, so a lower accuracy saves nothing.";
     result.ours = "the step follows the visible motion, and errors follow the tolerance.";
     // stability bounds the naive steps, whatever the tolerance: half of what was measured is its least;
     // ours has twice what was measured, and errors of a hundred tolerances and ten

@@ -35,9 +35,8 @@ Result loop_with_a_tilted_axis() {
 
     Result result;
     result.naive =
-        "redundant rows are left out unchecked; the run reaches its end as if all were well, with a "
-        "pin "
-        "that is not closed.";
+        "redundant rows are left out unchecked. The run reaches its end as if it were right, with a pin that "
+        "is not closed.";
     result.ours = contradiction
                       ? "nothing is simulated: \"" +
                             failure_text(*outcome.failure, SimulationSettings{}, lesson.mechanism) + "\"."

@@ -117,12 +117,12 @@ Result parallel_arms() {
     const NewtonTrace naive = trace_newton<OmegaLocal>(system, state, 0.0, NewtonMethod::plain);
     Result result;
     result.naive =
-        "the residual is divided by a derivative that nearly vanishes: the body is flung round, and where it "
-        "comes "
-        "to rest is chance. At exactly parallel arms it stays where it is.";
+        "the residual is divided by a derivative that is nearly zero. The body turns by a huge angle, and "
+        "where it ends is chance. If the arms are exactly parallel, it stays where it is.";
     result.ours =
-        "a step turns no body by more than 0.5 rad, so the nearest solution is found. At exactly parallel "
-        "arms no direction is better than another: the program says so and leaves the body where it was.";
+        "no step turns a body by more than 0.5 rad, so the nearest solution is found. If the arms are "
+        "exactly parallel, no direction is better than another; the program says so and leaves the body "
+        "where it was.";
     result.measurements.push_back(
         of_ours("rank of the 4 rows with parallel arms", double(verdict_on(exact).rank), exactly(3.0)));
     result.measurements.push_back(
@@ -151,11 +151,10 @@ Result bend_of_90_degrees() {
     const Velocities locked = velocities_of(driven(shafts(lesson, right_angle, 0.3), 2));
     Result result;
     result.naive =
-        "for a driven shaft that is locked, it returns velocities that tear the joints apart, without a "
-        "message.";
+        "if the locked shaft is driven, it returns velocities that violate the joints, without a message.";
     result.ours =
-        "shafts in line are a pose like any other; where two branches cross, the rank shows it. For the "
-        "locked shaft it reports that the equations contradict each other.";
+        "shafts in line are a pose like any other; where two branches cross, the rank shows it. If the "
+        "locked shaft is driven, the program reports that the equations contradict each other.";
     result.measurements.push_back(
         of_ours("rank of 14 rows, shafts in line", rank_at(0.0, 0.3), exactly(11.0)));
     result.measurements.push_back(of_ours("rank at 40 deg", rank_at(40.0 * kDegree, 0.3), exactly(11.0)));

@@ -122,10 +122,10 @@ Result which_reactions() {
     Result result;
     result.naive =
         "the first 17 rows and the last 17 give the same motion but different forces in the joints, each "
-        "with 15 digits and no reason to prefer one.";
+        "with 15 digits. There is no reason to prefer one of them.";
     result.ours =
         "the smallest solution is shown with the family of all others, and every component is marked as "
-        "unique or not; the unique ones agree in every choice of rows.";
+        "unique or not. The unique components are the same for every choice of rows.";
     result.measurements = {
         of_naive("difference of two choices, components not unique [N, N m]", picks.others, at_least(0.1)),
         // rounding of forces of 30 N

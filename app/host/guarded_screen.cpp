@@ -10,9 +10,9 @@ namespace jw::host {
 
 namespace {
 
-// a driver that complains again about the same lesson, drawn by new objects, is not helped by newer ones
+// if GL errors remain after new objects were created this often, the picture is shown as it is
 constexpr int kMostComplaints = 2;
-// each is a line of the log
+// each message is one line of the log
 constexpr std::size_t kMostTold = 50;
 
 std::string words_of(const std::exception& error) {
@@ -33,7 +33,7 @@ void GuardedScreen::make_screen() {
     host_->set_picker([this](float x, float y) { return pick(x, y); });
 }
 
-/// Called while the host lays out a frame, which must not be left half done.
+/// Called while the host lays out a frame: an exception would leave the layout half done.
 int GuardedScreen::pick(float x, float y) {
     if (!screen_ || !pick_failure_.empty()) { return 0; }
     try {
@@ -76,7 +76,7 @@ void GuardedScreen::fail(const std::string& why) {
     screen_.reset();
     render::take_gl_errors(gl_);
     host_->say(
-        tr("The picture was lost for a moment: {0}. The lesson and what was tried in it are kept.", why));
+        tr("The picture had to be started again: {0}. The lesson and all changes to it are kept.", why));
     host_->rouse();
     if (++failures_ >= kMostFailures) {
         throw GraphicsLost("the graphics driver fails again and again: " + why);
@@ -85,7 +85,7 @@ void GuardedScreen::fail(const std::string& why) {
 
 void GuardedScreen::tell(const std::string& why) {
     if (told_.size() == kMostTold || !told_.insert(why).second) { return; }
-    *log_ << "jointwise: warning: " << why << "; the picture is drawn anew\n" << std::flush;
+    *log_ << "jointwise: warning: " << why << "; the picture is drawn again\n" << std::flush;
 }
 
 }  // namespace jw::host

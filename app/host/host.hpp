@@ -24,22 +24,22 @@
 
 struct ImGuiContext;
 
-/// The interface without a surface: lesson browser, lesson, timeline, experiments. Events go in, ImGui's draw
-/// data, a scene and a camera come out; a window or an offscreen picture shows them. Its parts keep what they
-/// are about (`lesson/`, `ui/`, `tabs/`, `parts/`); the host carries out what is asked for.
+/// The user interface without a window: lesson browser, lesson, timeline, experiments. It takes events, and
+/// makes ImGui's draw data, a scene and a camera, which a window or an offscreen picture shows. Each part
+/// (`lesson/`, `ui/`, `tabs/`, `parts/`) keeps its own state; the host carries out the requests.
 namespace jw::host {
 
 struct HostSetup {
     std::filesystem::path catalogue;       ///< folder of the lessons offered
-    std::filesystem::path recent_file;     ///< where the lessons opened last are kept; empty: nowhere
-    std::filesystem::path unsaved;         ///< folder for what was tried and not saved; empty: nowhere
+    std::filesystem::path recent_file;     ///< list of the lessons opened last; empty: not kept
+    std::filesystem::path unsaved;         ///< folder for unsaved experiments; empty: not kept
     std::filesystem::path pictures = ".";  ///< folder that pictures and lessons are saved into
-    std::filesystem::path progress;        ///< file of what is solved; empty: nowhere
-    ProgramJudge judge_program;            ///< of exercises that ask for programs; nothing: none is run
-    std::filesystem::path programs;        ///< folder for programs to begin with; empty: beside `progress`
-    bool has_disk = true;                  ///< other programs see the files that are written
-    std::vector<Command> not_offered;      ///< what is of no use here, or has a key that never comes
-    Tab tab = Tab::step;                   ///< what stands beside the picture to begin with
+    std::filesystem::path progress;        ///< file that lists solved exercises; empty: not kept
+    ProgramJudge judge_program;            ///< of exercises that ask for programs; empty: none is run
+    std::filesystem::path programs;        ///< folder for starter programs; empty: beside `progress`
+    bool has_disk = true;                  ///< other programs can see the files that are written
+    std::vector<Command> not_offered;      ///< of no use here, or their key never arrives
+    Tab tab = Tab::step;                   ///< shown first beside the picture
     bool dark = false;
     float text_scale = 1.0F;
     int width = 1280;
@@ -48,7 +48,7 @@ struct HostSetup {
     FontLoader load_fonts = render::load_fonts;  ///< into the ImGui context of the host
 };
 
-/// The tab that an address names. @throws std::runtime_error where there is none of that name
+/// The tab that an address names. @throws std::runtime_error if no tab has that name
 Tab tab_of(const Address& address);
 
 class Host {
@@ -58,39 +58,39 @@ public:
     Host(const Host&) = delete;
     Host& operator=(const Host&) = delete;
 
-    /// Opens a lesson file at a step; without it the lessons are shown.
-    /// @param experiments  to begin with, see app/session/try/carry_out.hpp
-    /// @return false if it has mistakes: they are shown, and what was open stays. True also where it opens
-    ///         later, when its story is told (`is_telling`)
+    /// Opens a lesson file at the step `at`. Until a lesson is opened, the list of lessons is shown.
+    /// @param experiments  are carried out first, see app/session/try/carry_out.hpp
+    /// @return false if the file has mistakes: they are shown, and the open lesson stays. True also if it
+    ///         opens later, when its story has been computed (`is_telling`)
     bool open(
         const std::filesystem::path& path, const std::string& at = {},
         const std::vector<std::string>& experiments = {});
 
-    /// Address that `go_to` shows this window's state by; of an exercise its name alone.
+    /// Address with which `go_to` shows this state; for an exercise only the names of lesson and exercise.
     Address address() const;
-    /// Shows what an address says, in one go: opens its lesson if another one is open, which begins a history
-    /// of its own, else makes it of the lesson as it was written, which is one change.
-    /// @return false if something of it cannot be done: that is shown, and everything stays as it was. True
-    ///         also where this is not known yet, before its story is told (`is_telling`)
+    /// Shows the state that an address describes. If another lesson is open, opens the lesson of the address
+    /// with a new history; else starts from the open lesson as it was written, and counts as one change.
+    /// @return false if a part of the address cannot be done: the reason is shown, and nothing changes. True
+    ///         also if this is not known yet, because the story is still being computed (`is_telling`)
     bool go_to(const Address& address);
 
-    /// A long story is being told (host_waiting.cpp). Meanwhile nothing is carried out but giving it up, by
-    /// Escape or a button, and what was open is shown.
+    /// A long story is being computed (host_waiting.cpp). Meanwhile the previous state is shown, and the only
+    /// possible action is to cancel, by Escape or a button.
     bool is_telling() const { return telling_.is_busy(); }
-    /// Part of it that is told, from 0 to 1.
+    /// Fraction of the story that has been computed, from 0 to 1.
     double told_part() const { return is_telling() ? telling_.progress() : 1.0; }
-    /// Number of stories that were told beside the pictures, for tests.
-    int stories_told_beside() const { return telling_.told_beside(); }
-    /// Waits for the story, and does what needed it.
+    /// Number of stories that were computed in the background, for tests.
+    int stories_begun_in_background() const { return telling_.begun_in_background(); }
+    /// Waits for the story, and carries out the actions that need it.
     void wait_for_story();
 
-    /// Begins an exercise of the open lesson, and waits until it is asked.
-    /// @return false if the lesson has none of that name
+    /// Begins an exercise of the open lesson, and waits until its question is ready.
+    /// @return false if the lesson has no exercise of that name
     bool begin_exercise(const std::string& name);
-    /// Waits for what is computed in threads about exercises, and takes it over.
+    /// Waits for the background computations of exercises, and takes over their results.
     void wait_for_exercises();
     const ExerciseDesk& exercises() const { return desk_; }
-    /// The figure of an exercise is shown in place of the lesson.
+    /// True if the figure of an exercise is shown in place of the lesson.
     bool shows_figure() const;
     /// The tab of exercises as text.
     std::string exercise_text() const { return tabs_.exercises.text(desk_.practice(), desk_.work()); }
@@ -100,30 +100,31 @@ public:
     void resize(int width, int height, float density = 0.0F);
 
     void push(const InputEvent& event) { events_.push(event); }
-    /// Number of what is drawn at a pixel; whoever draws knows. Without it 3D cannot be pointed at.
+    /// Sets the function that finds the object drawn at a pixel; whoever draws has it. Without it, objects in
+    /// 3D cannot be pointed at.
     void set_picker(Picker picker) { hand_.set_picker(std::move(picker)); }
 
-    /// One frame: events, interface, what was asked for, and what moves by itself.
+    /// One frame: events, interface, requests and animations.
     /// @param seconds since the last frame
     void frame(double seconds);
-    /// The next frame is due at once.
+    /// Makes the next frame due at once.
     void rouse() { settle_ = 2; }
-    /// Time after the last frame until another one would show something new without an event [s]; 0: at once,
+    /// Time until a new frame would differ from the last one although no event arrives [s]; 0: at once,
     /// infinity: never.
     double seconds_to_change() const;
 
-    /// Looks whether the open file was saved anew; @return true if so
+    /// Reads the open file if it was saved again. @return true if so
     bool look_at_file();
-    /// Writes what was tried and not saved into a file, if it is another than at the last call. To be called
-    /// often: what ends the program may leave no time for it.
+    /// Writes unsaved experiments into a file if they have changed since the last call. Call it often: the
+    /// program may be ended without a last call.
     void keep_unsaved();
-    /// Path of the file of unsaved experiments; empty where nothing is unsaved.
+    /// Path of the file of unsaved experiments; empty if there are none.
     const std::filesystem::path& unsaved_copy() const { return unsaved_.path(); }
 
     bool wants_to_close() const { return close_; }
-    /// The picture changes from frame to frame: turned, pulled, played.
+    /// The picture changes from frame to frame: it is turned, pulled or played.
     bool is_moving() const { return shows_lesson() && (hand_.is_busy() || state_.playback.is_moving()); }
-    /// A lesson and not the browser is shown.
+    /// True if a lesson is shown, and not the browser.
     bool shows_lesson() const { return session_ && !state_.browser; }
     const Session* session() const { return session_.get(); }
     /// File of the open lesson; empty without one.
@@ -131,20 +132,20 @@ public:
     const UiState& state() const { return state_; }
     const render::Camera& camera() const { return hand_.camera(); }
     const WindowLayout& layout() const { return layout_; }
-    /// The picture with what is pointed at lit up; empty without a lesson.
+    /// The picture, with the object under the pointer highlighted; empty without a lesson.
     const Picture& picture();
-    /// The versions of picture(), as it was made last.
+    /// The last picture(), with its versions.
     const ShownPicture& shown() const { return shown_; }
     LessonShelf& shelf() { return shelf_; }
     const ScaledFonts& fonts() const { return fonts_; }
 
-    /// Set by a command, carried out by whoever draws, and told with done().
+    /// Task set by a command. Whoever draws carries it out, and reports it with done().
     DrawingTask task() const { return task_; }
-    /// Name for the next file of a task: "four-bar-step-12.png", a folder for `record`.
+    /// Path of the next file of the task: "four-bar-step-12.png"; of a folder for `record`.
     std::filesystem::path task_path() const;
     void done(const std::string& message);
 
-    /// Something to be read at the foot of the picture for a while.
+    /// Shows a message at the foot of the picture for some seconds.
     void say(const std::string& message);
     const Notice& notice() const { return notice_; }
     const Predictions& predictions() const { return predictions_; }
@@ -184,7 +185,7 @@ private:
     void save_lesson();
     void save_csv();
 
-    // what takes long (host_waiting.cpp)
+    // long computations (host_waiting.cpp)
     void attempt(std::function<void()> act);
     void go_on_waiting();
     void give_up_waiting();
@@ -211,9 +212,9 @@ private:
     LessonShelf shelf_;
     LessonFile file_;
     std::unique_ptr<Session> session_;
-    std::string name_;  ///< of the lesson opened, as addresses have it
+    std::string name_;  ///< of the open lesson, as in addresses
     UnsavedCopy unsaved_;
-    std::filesystem::path pictures_;  ///< folder for what is saved
+    std::filesystem::path pictures_;  ///< folder for saved files
 
     UiState state_;
     Tabs tabs_;
@@ -223,18 +224,18 @@ private:
     Predictions predictions_;
     ExerciseDesk desk_;
     LongTelling telling_;
-    std::deque<std::function<void()>> waiting_;  ///< the first one for a story, the others for their turn
-    std::optional<Experiment> pulled_;  ///< last value of a slider that was pulled while a story was told
-    std::string wanted_exercise_;       ///< that an address has named, until it begins; mostly empty
-    bool shown_figure_ = false;         ///< in the frame before
+    std::deque<std::function<void()>> waiting_;  ///< the first for its story, the others for their turn
+    std::optional<Experiment> pulled_;           ///< last value of a slider moved while a story was computed
+    std::string wanted_exercise_;                ///< named by an address, until it begins; usually empty
+    bool shown_figure_ = false;                  ///< in the previous frame
 
     DrawingTask task_ = DrawingTask::none;
-    bool new_text_scale_ = false;                     ///< fonts are loaded before the next frame begins
-    bool told_of_font_ = false;                       ///< that one is missing
-    int shelf_version_ = 0;                           ///< whose characters the fonts have
-    std::shared_ptr<const Exercise> known_exercise_;  ///< the first of those whose characters are there
+    bool new_text_scale_ = false;                     ///< load the fonts before the next frame begins
+    bool told_of_font_ = false;                       ///< advice on missing characters was given
+    int shelf_version_ = 0;                           ///< of the shelf whose characters are loaded
+    std::shared_ptr<const Exercise> known_exercise_;  ///< first exercise whose characters are loaded
     bool was_moving_ = false;
-    int settle_ = 2;  ///< frames that ImGui needs to come to rest
+    int settle_ = 2;  ///< frames until ImGui is at rest
     bool close_ = false;
 };
 

@@ -21,9 +21,9 @@ namespace {
 constexpr float kSmallestText = 0.75F;
 constexpr float kLargestText = 1.5F;
 constexpr float kTextStep = 0.125F;
-constexpr float kPage = 0.5F;  // of what is seen, by one command
+constexpr float kPage = 0.5F;  // part of the visible height, for one command
 
-/// Commands of the timeline: a figure has none, and a lesson that nobody sees stays where it is.
+/// Commands of the timeline. A figure has no timeline, and the lesson that it hides stays at its step.
 bool is_of_story(Command command) { return command <= Command::slower; }
 
 bool needs_lesson(Command command) {
@@ -38,14 +38,14 @@ Tab tab_after(Tab tab) {
     return now + 1 == kTabs.end() ? kTabs.front().value : (now + 1)->value;
 }
 
-/// @return what there is to say, mostly nothing
+/// @return message for the user, usually empty
 std::string scroll_by(Scroll& scroll, float part) {
-    if (scroll.most <= 0.0F) { return tr("All of it is in sight: there is nothing to scroll."); }
+    if (scroll.most <= 0.0F) { return tr("Everything is visible: there is nothing to scroll."); }
     scroll.wanted += part;
     return {};
 }
 
-/// Puts a text into the clipboard. @return `said`
+/// Copies a text to the clipboard. @return `said`
 std::string copied(const std::string& text, std::string said) {
     ImGui::SetClipboardText(text.c_str());
     return said;
@@ -97,7 +97,7 @@ void Host::try_out(const Experiment& experiment) {
 
 void Host::show_joint(int joint) {
     const std::vector<Joint>& joints = session_->lesson().mechanism.joints;
-    // the lesson may have been saved anew since the click began
+    // the lesson may have been read again since the click began
     if (joint < 0 || static_cast<std::size_t>(joint) >= joints.size()) { return; }
     const std::string name = joints[static_cast<std::size_t>(joint)].name;
     session_->show_joint(joint);
@@ -193,13 +193,13 @@ void Host::play_or_pause() {
 
 void Host::carry_out_trial(int index) {
     rouse();
-    // a copy: what is tried changes the lesson
+    // a copy, because the experiments change the lesson
     std::vector<std::string> actions = session_->lesson().trials[static_cast<std::size_t>(index)].actions;
     session_->apply(LetGo{});
     attempt([this, actions = std::move(actions), said = std::string()]() mutable {
         while (!actions.empty()) {
             const ExperimentResult result = jw::carry_out(*session_, actions.front());
-            // what is done is not done again after a wait
+            // an experiment that is done must not be repeated after a wait
             actions.erase(actions.begin(), result.done ? actions.begin() + 1 : actions.end());
             said += (said.empty() ? "" : "\n") + result.said;
             state_.playback.leave_freedom();
@@ -219,7 +219,7 @@ void Host::show_symbol(int by) {
     const auto texts = std::ranges::count_if(symbols, [](const SymbolView& s) { return s.scope.empty(); });
     const int count = static_cast<int>(texts);
     if (count == 0) { return say(tr("No symbol of this text has a value here.")); }
-    // those of texts come first; beyond either end none is chosen
+    // symbols of texts come first; one place in the cycle means that no symbol is chosen
     const int places = count + 1;
     state_.symbol = (state_.symbol + 1 + by + places) % places - 1;
     state_.pointed_at = {};
@@ -252,7 +252,7 @@ void Host::change_text(float by) {
     new_text_scale_ = true;
 }
 
-/// The same step in the next language.
+/// Shows the same step in the next language.
 void Host::use_next_language() {
     const std::span<const Language> all = languages();
     const auto present = std::ranges::find(all, language(), &Language::tag);
@@ -263,7 +263,7 @@ void Host::use_next_language() {
         try {
             if (session_) { session_->tell_again(); }
         } catch (...) {
-            // until the story is told, or for good
+            // until the story has been computed, or for good if that failed
             set_language(before);
             throw;
         }

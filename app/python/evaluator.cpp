@@ -7,7 +7,7 @@ namespace jointwise::python {
 
 namespace {
 
-/// Into `out`, whose views see the new numbers, or into Equations of its own.
+/// Writes to `out`, whose views show the new numbers, or to new Equations.
 py::object written_equations(
     Evaluator& evaluator, const Pose& pose, const Rates* velocities, Equations* out) {
     Rates at_rest;
@@ -17,7 +17,7 @@ py::object written_equations(
         evaluator.equations_at(pose, rates, *made);
         return py::cast(std::move(made));
     }
-    // another size would move the numbers away from views of them
+    // for another size, the numbers would move away from views of them
     if (out->phi.size() != evaluator.rows() || out->jacobian.cols() != evaluator.columns()) {
         throw py::value_error("jointwise: out is of another mechanism or of other coordinates");
     }
@@ -31,7 +31,7 @@ Numbers phi_of(Evaluator& evaluator, const Pose& pose) {
     return copied(phi);
 }
 
-/// Equations along a motion, with the shape that a row of the Jacobian's table has.
+/// Equations along a motion, with the shape of a row of the Jacobian's table.
 struct AlongMotion {
     EquationsTable table;
     py::ssize_t rows;
@@ -78,7 +78,7 @@ void add_evaluator(py::module_& module) {
         module, "Evaluator",
         "The equations of one mechanism at many poses: structure and memory are made once. The mechanism is "
         "taken as it "
-        "is now. Rows of p1 and p2 are chosen at the start pose, and anew by `choose_rows` only.")
+        "is now. Rows of p1 and p2 are chosen at the start pose, and again by `choose_rows` only.")
         .def(
             py::init([](const Mechanism& mechanism, const py::object& coordinates) {
                 return Evaluator(mechanism, coordinates_of(coordinates));

@@ -44,7 +44,7 @@ std::string chapter_html(const SiteCourse& course, const SiteChapter& chapter) {
 }
 
 std::string search_html() {
-    // shown by site.js: without scripts there is no search
+    // hidden until site.js shows it: the search needs scripts
     return "<form class=\"search\" role=\"search\" hidden=\"hidden\">\n<label for=\"search\">" +
            markup_text(tr("Search the lessons")) +
            "</label>\n<input id=\"search\" type=\"search\" placeholder=\"" +
@@ -90,7 +90,7 @@ std::string search_data(const SiteCourse& course) {
         for (const int slide : slide_numbers(lesson.lesson.source)) { slides.push_back(slide); }
         lessons.push_back({{"name", lesson.name}, {"words", lesson.searchable.words}, {"slides", slides}});
     }
-    // a document ends with a line feed of its own
+    // the document ends with a line feed, which is cut off
     std::string data = json_document(lessons, -1);
     return "window.jointwiseLessons = " + data.substr(0, data.size() - 1) + ";\n";
 }
@@ -113,11 +113,12 @@ std::string slides_page(const SiteCourse& course) {
             }
         }
     }
-    std::string content = "<div class=\"slides\">\n<h1>" + markup_text(tr("Slides")) + "</h1>\n<p>" +
-                          markup_text(
-                              by_slide.empty() ? tr("No lesson names a slide as its source.")
-                                               : tr("The slides of the lecture, and what is about them.")) +
-                          "</p>\n";
+    std::string content =
+        "<div class=\"slides\">\n<h1>" + markup_text(tr("Slides")) + "</h1>\n<p>" +
+        markup_text(
+            by_slide.empty() ? tr("No lesson names a slide as its source.")
+                             : tr("The slides of the lecture, with the lessons and exercises about them.")) +
+        "</p>\n";
     for (const auto& [slide, items] : by_slide) {
         const std::string title = markup_text(tr("Slide {0}", slide));
         content +=

@@ -43,7 +43,7 @@ std::string head_html(const SiteCourse& course, std::size_t index, const std::st
     return html + paragraphs_html(lesson.lesson.text) + "</header>\n";
 }
 
-/// The figure; a picture of it until it comes into view, and where nothing can run.
+/// The live figure; it is a picture until it comes into view, and where it cannot run.
 std::string live_html(const SiteLesson& lesson, const Story& story, const std::string& top) {
     host::Address address;
     address.lesson = lesson.address;
@@ -57,8 +57,7 @@ std::string live_html(const SiteLesson& lesson, const Story& story, const std::s
                          "\" />") +
            "</div>\n<figcaption><span class=\"state\">" +
            markup_text(tr("Picture of the program; it runs here once it is loaded.")) + "</span> " +
-           link_html(live, markup_text(tr("Open it in a window of its own")), "own") +
-           "</figcaption>\n</figure>\n";
+           link_html(live, markup_text(tr("Open in its own window")), "own") + "</figcaption>\n</figure>\n";
 }
 
 std::string neighbours_html(const SiteCourse& course, std::size_t index, const std::string& top) {
@@ -69,11 +68,11 @@ std::string neighbours_html(const SiteCourse& course, std::size_t index, const s
                words_html(lesson.lesson.title) + "</a>\n";
     };
     std::string html;
-    if (index > 0) { html += neighbour(index - 1, "prev", tr("The lesson before")); }
-    if (index + 1 < course.lessons.size()) { html += neighbour(index + 1, "next", tr("The next lesson")); }
+    if (index > 0) { html += neighbour(index - 1, "prev", tr("Previous lesson")); }
+    if (index + 1 < course.lessons.size()) { html += neighbour(index + 1, "next", tr("Next lesson")); }
     return html.empty() ? html
                         : "<nav class=\"neighbours\" aria-label=\"" +
-                              markup_text(tr("Lessons before and after")) + "\">\n" + html + "</nav>\n";
+                              markup_text(tr("Previous and next lesson")) + "\">\n" + html + "</nav>\n";
 }
 
 std::string foot_html(const SiteCourse& course, const SiteLesson& lesson, const std::string& top) {

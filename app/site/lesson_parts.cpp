@@ -16,7 +16,7 @@ std::string item(const std::string& name, const std::string& value) {
     return "<div><dt>" + markup_text(name) + "</dt><dd>" + value + "</dd></div>";
 }
 
-/// The numbers of a rank, each beside its name.
+/// The numbers of a rank, each with its name.
 std::string rank_html(const RankView& rank) {
     const std::string before = rank.rank_before >= 0 && rank.rank_before != rank.rank
                                    ? std::to_string(rank.rank_before) + " → "
@@ -34,7 +34,7 @@ std::string combinations_html(const RankView& rank) {
         items += "<li>" + words_html(combination) + "</li>\n";
     }
     return items.empty() ? items
-                         : "<details><summary>" + markup_text(tr("Which equations repeat others")) +
+                         : "<details><summary>" + markup_text(tr("Redundant equations")) +
                                "</summary>\n<ul>\n" + items + "</ul>\n</details>\n";
 }
 
@@ -86,7 +86,7 @@ std::string LessonParts::station(const Station& station) const {
     if (station.equations >= 0) {
         html += equations_html(view_of(*story_, station.equations, ViewParts::without_matrix).equations);
     }
-    // the text of the lesson stands above already
+    // the text of the lesson is already at the top of the page
     const bool bodies = view.kind == Step::Kind::bodies;
     html += paragraphs_html(bodies ? lesson_->lesson.step_texts.bodies : view.author_text);
     if (!station.moves) { html += paragraphs_html(view.sentence); }
@@ -155,7 +155,7 @@ std::string LessonParts::exercises() const {
     return part(
         "exercises", tr("Exercises"),
         "<p>" +
-            markup_text(tr("The figure draws numbers of your own, and tells what is wrong with an answer; "
+            markup_text(tr("The figure chooses numbers of your own and says what is wrong with an answer; "
                            "nothing is sent anywhere.")) +
             "</p>\n" + html);
 }
@@ -182,7 +182,7 @@ std::string LessonParts::claims() const {
 std::string lessons_folder_of(const SiteCourse& course) {
     const std::filesystem::path whole = std::filesystem::absolute(course.folder).lexically_normal();
     const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().generic_string();
-    // beside it lie the exercises
+    // the folder of exercises is beside it, so the two names must differ
     return name.empty() || name == kExercisesFolder ? "lessons" : name;
 }
 

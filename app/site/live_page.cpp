@@ -27,7 +27,7 @@ namespace {
 constexpr const char* kBundleFile = "lessons.json";
 constexpr const char* kWorkerFile = "service_worker.js";
 constexpr const char* kIndexFile = "index.html";
-// where the page keeps a course
+// folder of the course in the page
 const fs::path kCourse = "/course";
 constexpr std::string_view kVersionBefore = "const VERSION = \"";
 constexpr std::size_t kVersionDigits = 16;
@@ -40,7 +40,7 @@ void write(const fs::path& file, const std::string& text) {
     if (!out) { host::refuse(file, "cannot be written; is there room?"); }
 }
 
-/// Copies a file, which others may read whatever the right to it was.
+/// Copies a file with default permissions, so that others can read the copy even if the original is private.
 void copy_readable(const fs::path& from, const fs::path& to) { write(to, file_text(from)); }
 
 /// A file of the course, and where the page finds it.
@@ -55,7 +55,7 @@ void add_folder(const fs::path& folder, const fs::path& place, std::vector<Cours
     }
 }
 
-/// The files that say the order of lessons; where the folder is part of a course, that of the whole.
+/// The files that give the order of lessons. If the folder is part of a course, that of the whole course.
 void add_orders(const fs::path& folder, const fs::path& place, std::vector<CourseFile>& files) {
     std::error_code error;
     for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
@@ -74,13 +74,13 @@ std::vector<CourseFile> files_of(const SiteCourse& course) {
     add_folder(course.folder, lessons, files);
     add_orders(course.folder, lessons, files);
     if (!course.exercise_files.empty()) {
-        // with the scenes that they name
+        // together with the scenes that they name
         add_folder(course.exercise_files.front().parent_path(), kExercisesFolder, files);
     }
     return files;
 }
 
-/// Version of a page; empty if it has none.
+/// Version of a page, from its service worker; empty if it has none.
 std::string version_in(const std::string& worker) {
     const std::size_t at = worker.find(kVersionBefore);
     return at == std::string::npos ? std::string()
@@ -107,7 +107,7 @@ std::string problem_of_page(const fs::path& folder) {
     }
     if (version_in(file_text(folder / kWorkerFile)).empty()) {
         return in_quotes((folder / kWorkerFile).string()) +
-               " names no version; build the page anew with './dev web'";
+               " names no version; build the page again with './dev web'";
     }
     return {};
 }

@@ -7,7 +7,7 @@ namespace jw::host {
 
 namespace {
 
-/// Pictures as one film, since a page can give files and no folders.
+/// Records pictures as one film, because a page can offer files but not folders.
 class FilmRecorder : public Recorder {
 public:
     explicit FilmRecorder(std::filesystem::path file)
@@ -19,7 +19,7 @@ public:
     }
     std::string finish(Json /*head*/) override {
         render::write_file_atomically(file_, film_->finish());
-        return tr("{0} pictures in {1}", count_, file_.filename().string());
+        return tr_count(count_, "{0} picture in {1}", "{0} pictures in {1}", file_.filename().string());
     }
 
 private:

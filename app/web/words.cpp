@@ -26,12 +26,12 @@ constexpr std::array kWords{
     tr_later("Open …"),
     tr_later("Save"),
     tr_later("Close"),
-    tr_later("The link to what you see is in the clipboard."),
+    tr_later("A link to what you see was copied."),
     tr_later("The browser does not let this page write into the clipboard."),
-    tr_later("The letters of this language are shown once the page is read again."),
-    tr_later("The graphics card was taken away; waiting for it."),
+    tr_later("Reload the page to see the letters of this language."),
+    tr_later("The graphics card is not available at the moment; waiting for it."),
     tr_later(
-        "The browser keeps nothing more: its storage is full or forbidden. Save what you need as a file."),
+        "The browser cannot store more: its storage is full or not allowed. Save what you need as a file."),
     tr_later("The list of lessons is shown. Arrows choose, Enter opens."),
 };
 

@@ -249,9 +249,9 @@ stiffness = 194
     CHECK(joints.err.find("'--coordinates bodies' computes them in another way") != std::string::npos);
     const Ran taken = ran({});
     CHECK(taken.status == 0);
-    CHECK(taken.err.find("s on in coordinates of the bodies") != std::string::npos);
+    CHECK(taken.err.find("s on, coordinates of the bodies are used") != std::string::npos);
     const Ran bodies = ran({"--coordinates", "bodies"});
-    CHECK(bodies.err.find("on in coordinates") == std::string::npos);
+    CHECK(bodies.err.find("coordinates of the bodies are used") == std::string::npos);
     const auto rows = nlohmann::json::parse(taken.out)["rows"];
     const auto others = nlohmann::json::parse(bodies.out)["rows"];
     REQUIRE(rows.size() == 11);
@@ -261,7 +261,7 @@ stiffness = 194
     }
     const auto steps = nlohmann::json::parse(run({"step", file, "--format", "json"}).out)["steps"];
     const auto says = [](const nlohmann::json& step) {
-        return step["sentence"].get<std::string>().find("on in coordinates of the bodies") !=
+        return step["sentence"].get<std::string>().find("coordinates of the bodies are used") !=
                std::string::npos;
     };
     CHECK(std::ranges::count_if(steps, says) == 1);

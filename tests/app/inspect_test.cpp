@@ -356,7 +356,7 @@ TEST_CASE("inspect counts the equations of p1 that are kept after some are taken
          {Case{"all three", "\"p1 x\"", "takes out the equation x: two are kept, y and z"},
           Case{"all three", "\"p1 x\", \"p1 y\"", "takes out the equations x and y: one is kept, z"},
           Case{"pair", "\"n1 pair a\"", "takes out the equation a: one is kept, b"},
-          Case{"rule", "\"p1 y\"", "takes out the equation y, and x is left out besides: one is kept, z"}}) {
+          Case{"rule", "\"p1 y\"", "takes out the equation y, and x is left out as well: one is kept, z"}}) {
         CAPTURE(c.form, c.without);
         const std::string file = folder.file(
             "hinge.toml",

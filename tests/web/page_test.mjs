@@ -163,7 +163,7 @@ test("A reader of the screen is told exercises and verdicts, and of them what is
     await v.type("7");
     await v.tab.keyboard.press("Enter");
     await told("In the field: 7");
-    await told("Not so");
+    await told("Not correct");
     equal(await v.tab.evaluate(() => document.getElementById("story").textContent), (await v.state()).text, "the text of the page");
   });
 });
@@ -181,7 +181,7 @@ test("The page draws what the program draws", async () => {
   await v.close();
 });
 
-test("What a digit costs is measured in another copy of the program, with the errors of the program, and can be stopped", async () => {
+test("Cost of accuracy is measured in another copy of the program, with the errors of the program, and can be stopped", async () => {
   const lesson = join(mkdtempSync(join(tmpdir(), "jointwise-price-")), "four-bar-1.toml");
   // elsewhere it has no stored reference, as in the page
   copyFileSync(join(catalogue, "dynamics/four-bar-1.toml"), lesson);

@@ -65,18 +65,19 @@ void Progress::set_aside(const std::string& why) {
     if (other.empty() || error) {
         writable_ = false;
         notice_ =
-            tr("The progress in '{0}' cannot be read ({1}) and cannot be moved away; what is solved now is "
-               "not kept.",
+            tr("The progress in '{0}' cannot be read ({1}) and cannot be moved away; what you solve now will "
+               "not be saved.",
                file_.string(), why);
         return;
     }
     notice_ =
-        tr("The progress in '{0}' could not be read ({1}); the file is now '{2}', and progress begins anew.",
+        tr("The progress in '{0}' could not be read ({1}); the file was renamed '{2}', and progress starts "
+           "again.",
            file_.string(), why, other.filename().string());
 }
 
 void Progress::keep(const std::string& key, const ExerciseRecord& record) {
-    // another window may have written since
+    // another window may have written to the file
     if (writable_) { read(); }
     records_[key] = record;
     if (writable_) { write(); }
@@ -88,7 +89,9 @@ void Progress::write() {
     fs::create_directories(file_.parent_path(), ignored);
     std::string error;
     if (write_lesson_file(file_, progress_text(records_), error)) { return; }
-    if (!std::exchange(complained_, true)) { notice_ = tr("What is solved now is not kept: {0}", error); }
+    if (!std::exchange(complained_, true)) {
+        notice_ = tr("What you solve now will not be saved: {0}", error);
+    }
 }
 
 std::string Progress::take_notice() { return std::exchange(notice_, {}); }

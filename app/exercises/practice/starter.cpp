@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Writes a file unless it is there. @return why it cannot be written
+/// Writes a file unless it exists. @return why it cannot be written
 std::string write_new(const fs::path& file, const std::string& text) {
     std::error_code error;
     if (fs::exists(fs::symlink_status(file, error))) { return {}; }
@@ -27,7 +27,9 @@ std::string write_new(const fs::path& file, const std::string& text) {
 
 std::string write_starter(const Task& task, const fs::path& file) {
     const std::string text = starter_text(task, file.extension().string());
-    if (text.empty()) { return tr("Name a file that ends with .py, .cpp, .m or .js in the field."); }
+    if (text.empty()) {
+        return tr("Type the name of a file that ends in .py, .cpp, .m or .js into the field.");
+    }
     fs::path input = file;
     input.replace_filename(file.stem().string() + "-input.json");
     std::string problem = write_new(file, text);

@@ -17,7 +17,9 @@ public:
     }
     std::string finish(Json head) override {
         files_.finish(std::move(head));
-        return tr("{0} pictures and manifest.json in {1}", count_, folder_.string());
+        return tr_count(
+            count_, "{0} picture and manifest.json in {1}", "{0} pictures and manifest.json in {1}",
+            folder_.string());
     }
 
 private:

@@ -28,20 +28,20 @@ std::vector<std::uint8_t> bytes_of(const fs::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Run of the pictures in a folder; discarded where it is none of ours or is not there.
+/// Content of a folder's run.json; `is_discarded` if the file is missing or not JSON.
 Json run_in(const fs::path& folder) {
     std::ifstream in(folder / kRun, std::ios::binary);
     return Json::parse(std::string{std::istreambuf_iterator<char>(in), {}}, nullptr, false);
 }
 
-/// A number, a name or the like as a line; long ones are cut.
+/// A value in one line; long ones are cut.
 std::string line_of(const Json& value) {
     constexpr std::size_t most = 60;
     const std::string line = value.dump(-1, ' ', false, Json::error_handler_t::replace);
     return line.size() <= most ? line : line.substr(0, most) + " ...";
 }
 
-/// The first thing in which two runs differ.
+/// The first difference of two runs, in words.
 std::string difference_of(const Json& before, const Json& now) {
     for (const auto& [key, value] : now.items()) {
         const auto found = before.is_object() ? before.find(key) : before.end();
@@ -140,11 +140,11 @@ void FrameDraft::check_run(const Json& run) const {
     const Json before = run_in(folder_);
     if (before == run) { return; }
     if (before.is_discarded()) {
-        refuse(folder_, "has no run.json that tells what its pictures depend on; remove it to begin anew");
+        refuse(folder_, "has no run.json that tells what its pictures depend on; remove it to start again");
     }
     refuse(
         folder_, "has pictures of another run (" + difference_of(before, run) +
-                     "); give the same options and lesson, or remove it to begin anew");
+                     "); give the same options and lesson, or remove it to start again");
 }
 
 void FrameDraft::go_on(const Json& run) {
@@ -155,7 +155,7 @@ void FrameDraft::go_on(const Json& run) {
     }
     check_run(run);
     is_begun_ = true;
-    // of writers that are no more
+    // partial files of writers that have ended
     for (const std::string& name : names_in(folder_)) {
         std::error_code ignored;
         if (is_ours(name) && name.find(".part-") != std::string::npos) {
@@ -165,11 +165,11 @@ void FrameDraft::go_on(const Json& run) {
 }
 
 void FrameDraft::join(const Json& run, Joined as) {
-    // a part is let in by who has begun the folder and holds its lock
+    // a part does not lock the folder: the process that has begun it holds the lock
     if (as == Joined::shard) { lock(FolderLock::Kind::shared); }
     is_begun_ = true;
     if (!fs::exists(folder_ / kRun)) {
-        // the first of several that begin at the same time tells what all of them must depend on
+        // if several processes begin at the same time, the first one's run.json counts for all of them
         const fs::path mine =
             folder_ / (std::string(kRun) + ".part-" + std::to_string(std::hash<Json>()(run)));
         render::write_file_atomically(mine, json_document(run));

@@ -50,7 +50,7 @@ std::vector<CatalogueEntry> catalogue_of(
         std::size_t count = 0;
         for (const fs::path& path : paths) {
             std::error_code error;
-            // a file that has become a pipe meanwhile is not waited for
+            // do not wait for a file that has become a pipe in the meantime
             if (count == kMostShown || !fs::is_regular_file(path, error)) { continue; }
             entries.push_back(entry_of(path));
             entries.back().chapter = chapter;
@@ -59,7 +59,7 @@ std::vector<CatalogueEntry> catalogue_of(
     };
     const std::vector<IndexedExercise> exercises = exercises_of_course(folder);
     add(unsaved, tr_later("Not saved"));
-    add(recent, tr_later("Opened last"));
+    add(recent, tr_later("Recent"));
     const CourseLessons course = course_lessons(folder);
     for (const fs::path& faulty : course.faulty) { entries.push_back(entry_of(faulty)); }
     for (const CourseLessons::Entry& lesson : course.lessons) {

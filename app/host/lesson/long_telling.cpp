@@ -9,9 +9,9 @@ namespace jw::host {
 
 namespace {
 
-// work of a story (StoryTelling). Of the lessons here it takes 10 to 60 ms, and most are told before; in a
-// page two or three times as long. A count and no clock: what a lesson does must not depend on how busy the
-// machine is
+// work of a story (see StoryTelling) before it continues in the background. The lessons here need 10 to 60 ms
+// for it, and most end before; in a web page two or three times as long. A count, not a time: what a lesson
+// does must not depend on the load of the machine
 constexpr double kMostAtOnce = 25'000.0;
 
 /// True if two lessons are the same, perhaps in two copies.
@@ -20,7 +20,7 @@ bool are_same(const Lesson& a, const Lesson& b) {
     try {
         return a.file_name == b.file_name && lesson_text(a) == lesson_text(b);
     } catch (const std::invalid_argument&) {
-        // a lesson made by a program, which no file can describe: the order has to do
+        // a lesson made by a program, which no file can describe: rely on the order of requests
         return true;
     }
 }
@@ -44,8 +44,8 @@ std::unique_ptr<BackgroundWork> ToldBeside::stop() {
 }
 
 ToldLesson LongTelling::tell(const std::shared_ptr<const Lesson>& lesson, const StoryOptions& options) {
-    if (beside_ && beside_->is_done()) {
-        const std::unique_ptr<ToldBeside> done = std::move(beside_);
+    if (background_ && background_->is_done()) {
+        const std::unique_ptr<ToldBeside> done = std::move(background_);
         told_.push_back(done->take());
     }
     while (asked_ < told_.size()) {
@@ -57,8 +57,8 @@ ToldLesson LongTelling::tell(const std::shared_ptr<const Lesson>& lesson, const 
     while (telling->work() < kMostAtOnce) {
         if (!telling->go_on()) { return keep({lesson, telling->story()}); }
     }
-    ++told_beside_;
-    beside_ = std::make_unique<ToldBeside>(lesson, std::move(telling));
+    ++begun_in_background_;
+    background_ = std::make_unique<ToldBeside>(lesson, std::move(telling));
     throw NotToldYet();
 }
 
@@ -69,8 +69,8 @@ ToldLesson LongTelling::keep(ToldLesson told) {
 
 void LongTelling::stop() {
     std::erase_if(stopped_, [](const auto& work) { return work->is_done(); });
-    if (beside_) { stopped_.push_back(beside_->stop()); }
-    beside_.reset();
+    if (background_) { stopped_.push_back(background_->stop()); }
+    background_.reset();
 }
 
 void LongTelling::forget() {

@@ -8,26 +8,26 @@
 #include "app/session/beside/background.hpp"
 #include "app/session/story/story_telling.hpp"
 
-/// Stories that take long to tell, told beside the pictures.
+/// Long stories, computed in the background while pictures are drawn.
 namespace jw::host {
 
-/// Thrown by what needs a story that is still being told. It changes nothing, and is to be done again once
-/// the story is there. Not an error: what handles those must let it pass.
+/// Thrown by an action that needs a story that is still being computed. The action changes nothing, and is
+/// done again when the story is there. This is not an error: handlers of errors must let it pass.
 struct NotToldYet {};
 
-/// A lesson whose story is told beside the pictures, from a part that may have been told already.
+/// A lesson whose story is computed in the background; a part may have been computed before.
 class ToldBeside {
 public:
     /// @param telling  of that lesson
     ToldBeside(std::shared_ptr<const Lesson> lesson, std::unique_ptr<StoryTelling> telling);
 
-    /// Part of the story that is told, from 0 to 1.
+    /// Fraction of the story that has been computed, from 0 to 1.
     double progress() const { return *part_; }
     bool is_done() const { return work_->is_done(); }
     void wait() { work_->wait(); }
-    /// @throws what the telling threw
+    /// @throws the exception that the computation threw
     ToldLesson take() { return work_->take(); }
-    /// Tells it to stop. @return the work, to be kept until it has
+    /// Asks the computation to stop. @return the work, to be kept until it has stopped
     std::unique_ptr<BackgroundWork> stop();
 
 private:
@@ -35,35 +35,36 @@ private:
     std::unique_ptr<Background<ToldLesson>> work_;
 };
 
-/// The storyteller of a window: short stories at once, long ones beside the pictures. What has met NotToldYet
-/// is done again, and asks for the same stories in the same order, but for those of what it need not do
-/// again. Stories are known by the text of their lesson, and kept until nothing needs them.
+/// The storyteller of a window: it computes short stories at once, and long ones in the background. An action
+/// that met NotToldYet is done again, and must then ask for the same stories in the same order, except for
+/// the parts that are done already. Stories are identified by the text of their lesson, and kept until
+/// nothing needs them.
 class LongTelling {
 public:
     /// As Storyteller. @throws NotToldYet if it takes long
     ToldLesson tell(const std::shared_ptr<const Lesson>& lesson, const StoryOptions& options);
-    /// Begins an act that needs stories, for the first time or again.
+    /// Begins an action that needs stories, for the first time or again.
     void begin() { asked_ = 0; }
-    /// Drops all stories, which nothing needs any more, and stops the one under way.
+    /// Discards all stories, and stops the one that is being computed; for when nothing needs them any more.
     void forget();
 
-    /// A story is told beside; only then the others may be asked for. Once `is_done`, what needs it can be
-    /// done again.
-    bool is_busy() const { return beside_ != nullptr; }
-    bool is_done() const { return beside_->is_done(); }
-    double progress() const { return beside_->progress(); }
-    void wait() { beside_->wait(); }
-    /// Number of stories that were begun beside the pictures, for tests.
-    int told_beside() const { return told_beside_; }
+    /// A story is being computed in the background; call the next three functions only then. Once it
+    /// `is_done`, the action that needs it can be done again.
+    bool is_busy() const { return background_ != nullptr; }
+    bool is_done() const { return background_->is_done(); }
+    double progress() const { return background_->progress(); }
+    void wait() { background_->wait(); }
+    /// Number of stories that were begun in the background, for tests.
+    int begun_in_background() const { return begun_in_background_; }
 
 private:
     ToldLesson keep(ToldLesson told);
     void stop();
 
     std::vector<ToldLesson> told_;  ///< in the order in which they were asked for
-    std::size_t asked_ = 0;         ///< of them, since `begin`
-    int told_beside_ = 0;
-    std::unique_ptr<ToldBeside> beside_;
+    std::size_t asked_ = 0;         ///< number of them asked for since `begin`
+    int begun_in_background_ = 0;
+    std::unique_ptr<ToldBeside> background_;
     std::vector<std::unique_ptr<BackgroundWork>> stopped_;  ///< not ended yet
 };
 

@@ -23,7 +23,7 @@ constexpr float kColumnWidth = 350.0F;  // of the list of keys, at least
 constexpr float kKeysWidth = 96.0F;
 constexpr float kMouseWidth = 190.0F;
 
-// their order fills columns of about the same height
+// in an order that makes columns of about the same height
 constexpr Group kGroups[] = {Group::timeline,  Group::panels, Group::experiments,
                              Group::exercises, Group::files,  Group::picture};
 
@@ -37,14 +37,14 @@ constexpr Line kMouse[] = {
     {tr_later("Drag a body"), tr_later("pull it: what is assembled holds it")},
     {tr_later("Drag the background"), tr_later("turn the view")},
     {tr_later("Right button or Shift"), tr_later("move the view")},
-    {tr_later("Wheel"), tr_later("nearer or farther")},
-    {tr_later("Point at anything"), tr_later("what belongs to it lights up")},
+    {tr_later("Wheel"), tr_later("zoom in or out")},
+    {tr_later("Point at anything"), tr_later("what belongs to it is highlighted")},
     {tr_later("Click a row, a plot"), tr_later("go there")},
 };
 
 constexpr Line kFingers[] = {
     {tr_later("One finger"), tr_later("turn the view, scroll a panel")},
-    {tr_later("Two fingers"), tr_later("move the view; nearer or farther")},
+    {tr_later("Two fingers"), tr_later("move the view; zoom in or out")},
     {tr_later("Rest on a body, then move"), tr_later("pull it: what is assembled holds it")},
     {tr_later("Tap a row, a plot"), tr_later("go there")},
 };
@@ -53,7 +53,7 @@ bool is_offered(const Ui& ui, Command command) {
     return std::ranges::find(ui.state.not_offered, command) == ui.state.not_offered.end();
 }
 
-/// Entries of the menu are further apart where fingers press them.
+/// Puts the entries of the menu further apart if fingers press them.
 class MenuSpacing {
 public:
     explicit MenuSpacing(const Ui& ui) {
@@ -93,12 +93,12 @@ std::vector<Section> sections(const Ui& ui) {
     Section pointing{is_for_fingers() ? tr("Fingers") : tr("Mouse"), {}, kMouseWidth};
     const std::span<const Line> gestures = is_for_fingers() ? std::span<const Line>(kFingers) : kMouse;
     for (const auto& [what, does] : gestures) { pointing.lines.push_back({tr(what), tr(does)}); }
-    // on phones they are what counts
+    // on phones the gestures matter most, so they come first
     all.insert(is_for_fingers() ? all.begin() : all.end(), std::move(pointing));
     return all;
 }
 
-/// @return the height taken; a canvas that measures draws nothing
+/// @return the height used; a measuring canvas draws nothing
 float draw_section(const panels::Canvas& canvas, const Box& column, const Section& section) {
     const render::Fonts& fonts = canvas.fonts();
     canvas.text({column.x, column.y}, fonts.bold, theme::kInk, section.title);
@@ -113,7 +113,7 @@ float draw_section(const panels::Canvas& canvas, const Box& column, const Sectio
     return y + canvas.px(12.0F) - column.y;
 }
 
-/// The sections in columns of about the same height. @return the height of the highest
+/// Draws the sections in columns of about the same height. @return the height of the highest column
 float draw_sections(const panels::Canvas& canvas, const Box& box, const std::vector<Section>& all) {
     const float gap = canvas.px(20.0F);
     const int count = std::clamp(static_cast<int>(box.width / canvas.px(kColumnWidth)), 1, 3);
@@ -127,7 +127,7 @@ float draw_sections(const panels::Canvas& canvas, const Box& box, const std::vec
     for (const Section& section : all) {
         const float needed = draw_section(canvas.measuring(), column, section);
         const float used = column.y - box.y;
-        // half of it beyond the share of the column: it begins the next
+        // a section that is more than half beyond the share of its column begins the next one
         if (used > 0.0F && columns_left > 1 &&
             used + 0.5F * needed > (used + left) / static_cast<float>(columns_left)) {
             column.x += width + gap;
@@ -163,7 +163,7 @@ void menu(const LessonUi& ui) {
 
 namespace {
 
-/// The list itself, which scrolls where it is higher than the sheet.
+/// The list itself, which can be scrolled if it is higher than the sheet.
 void draw_list_of_keys(const Ui& ui, const Box& box) {
     ImGui::SetCursorScreenPos({box.x, box.y});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, {0.0F, 0.0F, 0.0F, 0.0F});
@@ -180,7 +180,7 @@ void draw_list_of_keys(const Ui& ui, const Box& box) {
     ImGui::PopStyleColor();
 }
 
-/// @return the height taken
+/// @return the height used
 float draw_head_of_keys(const panels::Canvas& canvas, const Box& box) {
     const render::Fonts& fonts = canvas.fonts();
     const char* const title = is_for_fingers() ? tr("Keys and fingers") : tr("Keys and mouse");

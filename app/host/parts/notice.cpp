@@ -18,7 +18,7 @@ using panels::Canvas;
 
 constexpr double kNoticeSeconds = 6.0;
 
-/// Words on a sheet at the foot of the 3D picture.
+/// Draws text on a sheet at the foot of the 3D picture. @return the foot for the next sheet, above this one
 float draw_sheet(
     const Canvas& canvas, const Box& scene, float bottom, const std::string& text, bool is_error) {
     const ImFont* const font = is_error ? canvas.fonts().mono : canvas.fonts().normal;
@@ -46,7 +46,7 @@ void Notice::say(const std::string& message) {
 }
 
 void Notice::blame_address(const std::string& why) {
-    mistakes_ = tr("This address leads nowhere: {0}", why);
+    mistakes_ = tr("This address cannot be opened: {0}", why);
     are_of_file_ = false;
 }
 
@@ -69,7 +69,7 @@ void Notice::draw(const Ui& ui, const Box& scene, bool has_lesson) const {
     if (mistakes_.empty()) { return; }
     const std::string kept =
         has_lesson && are_of_file_
-            ? tr("The file has mistakes; the last good lesson stays.") + std::string("\n")
+            ? tr("The file has mistakes; the last version without mistakes is shown.") + std::string("\n")
             : "";
     draw_sheet(canvas, scene, bottom, kept + mistakes_, true);
 }

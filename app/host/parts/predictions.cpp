@@ -20,15 +20,15 @@ using panels::Box;
 using panels::Canvas;
 
 constexpr float kSheetMargin = 10.0F;
-constexpr float kPadding = 12.0F;  // of the words in the sheet
+constexpr float kPadding = 12.0F;  // around the text in the sheet
 constexpr float kLeastField = 60.0F;
 
-/// Width of the words in the sheet.
+/// Width of the text in the sheet.
 float width_of_words(const Ui& ui, const Box& scene) {
     return scene.width - 2.0F * ui.px(kSheetMargin + kPadding);
 }
 
-/// A sheet at the foot of the picture, for so many lines.
+/// Place of a sheet of this height at the foot of the picture.
 Box sheet_of(const Ui& ui, const Box& scene, float height) {
     const float margin = ui.px(kSheetMargin);
     return {scene.x + margin, scene.bottom() - height - margin, scene.width - 2.0F * margin, height};
@@ -36,7 +36,7 @@ Box sheet_of(const Ui& ui, const Box& scene, float height) {
 
 std::string verdict_text(const GivenAnswer& answer) {
     return answer.right ? tr("{0}   Right.", math::plain_words(answer.note))
-                        : tr("{0}   Not so.", math::plain_words(answer.note));
+                        : tr("{0}   Not correct.", math::plain_words(answer.note));
 }
 
 /// Hint in the empty field of an answer.
@@ -50,7 +50,7 @@ const char* hint_of(QuestionView::Kind kind) {
     return tr("or seven numbers  (a)");
 }
 
-/// Width that unit and buttons leave for the field.
+/// Width that the unit and the buttons leave for the field.
 float room_for_field(const QuestionView& question) {
     const ImGuiStyle& style = ImGui::GetStyle();
     float beside = 0.0F;
@@ -63,7 +63,7 @@ float room_for_field(const QuestionView& question) {
     return ImGui::GetContentRegionAvail().x - beside;
 }
 
-/// Pose that the hand has led the asked body to, as it would be typed.
+/// Pose into which the user has led the body in question, as it would be typed.
 std::string pose_in_hand(const Session& session) {
     const Step& step = session.step();
     const PoseAnswer& asked = std::get<PoseAnswer>(question_of(session.lesson(), step).answer);
@@ -106,7 +106,7 @@ void Predictions::draw(const LessonUi& ui, const Box& scene) {
         field_[0] = '\0';
     }
     const Step& step = ui.session.step();
-    // of the question before
+    // it belongs to the previous question
     if (step.question != asked_) { objection_.clear(); }
     asked_ = step.question;
     if (step.kind == Step::Kind::question && is_shown(ui.session)) {
@@ -133,8 +133,8 @@ void Predictions::ask(const LessonUi& ui, const Box& scene, const Step& step) {
     if (!objection_.empty()) { note(ui, objection_); }
 }
 
-/// Field for an answer, and the buttons beside it. Where a choice leaves no room for them, its numbers are
-/// pressed.
+/// Field for an answer, and the buttons beside it. If the buttons of a choice leave no room for the field,
+/// only they can be used.
 void Predictions::field(const LessonUi& ui, const QuestionView& question, const Step& step) {
     const float room = room_for_field(question);
     const bool is_typed = question.choices.empty() || room >= ui.px(kLeastField);
@@ -157,7 +157,7 @@ void Predictions::field(const LessonUi& ui, const QuestionView& question, const 
     wants_focus_ = false;
     command_button(ui, Command::next, tr("Skip"));
     if (!entered && !pressed) { return; }
-    // copied: the answer empties the field
+    // a copy, because taking the answer empties the field
     const std::string typed = field_.data();
     const bool led = question.kind == QuestionView::Kind::pose && typed.empty() && ui.session.in_hand();
     take(ui, step, led ? pose_in_hand(ui.session) : typed);
@@ -166,7 +166,7 @@ void Predictions::field(const LessonUi& ui, const QuestionView& question, const 
 void Predictions::follow_mouse(const LessonUi& ui, const Pointed& pointed, bool reachable) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         pressed_ = {};
-        // of a cell of the matrix, the row or the body of its column
+        // for a cell of the matrix: its row, or the body of its column
         if (reachable) { pressed_ = {pointed.symbol, pointed.row, pointed.column, ui.state.pointed_at}; }
     }
     const float way = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left];
@@ -192,10 +192,10 @@ void Predictions::click(const LessonUi& ui, const std::array<Pointable, 4>& plac
     if (any) { objection_ = tr("That is something else. {0}", question.how); }
 }
 
-/// While something is led by hand, only a question about where it goes stays.
+/// While a body is led by hand, only a question that asks for its pose stays visible.
 bool Predictions::is_shown(const Session& session) { return !session.in_hand() || session.asks_for_pose(); }
 
-/// Keeps an answer that is understood, and goes on.
+/// Stores an answer that is understood, and goes to the next step.
 void Predictions::take(const LessonUi& ui, const Step& step, const std::string& text) {
     // an empty field skips the question
     if (text.empty()) { return ui.requests.add(Command::next); }
@@ -203,7 +203,7 @@ void Predictions::take(const LessonUi& ui, const Step& step, const std::string& 
     GivenAnswer judged = judge_answer(
         question, right_answer(ui.session.story(), step.question), ui.session.lesson().mechanism, text);
     if (!judged.understood) {
-        objection_ = tr("'{0}' is no answer: {1}.", text, judged.note);
+        objection_ = tr("'{0}' is not an answer: {1}.", text, judged.note);
         return;
     }
     objection_.clear();

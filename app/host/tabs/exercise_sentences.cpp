@@ -74,8 +74,8 @@ std::string how_to_answer(const Task& task) {
 
 std::string title_of(const Judged& judged) {
     if (judged.right) { return tr("Right."); }
-    if (!judged.title.empty()) { return tr("Not so: {0}.", judged.title); }
-    return judged.understood ? tr("Not so.") : tr("Not understood.");
+    if (!judged.title.empty()) { return tr("Not correct: {0}.", judged.title); }
+    return judged.understood ? tr("Not correct.") : tr("Not understood.");
 }
 
 bool is_file(ExerciseKind kind) { return kind == ExerciseKind::repair || kind == ExerciseKind::build; }

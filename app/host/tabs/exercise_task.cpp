@@ -38,7 +38,7 @@ void bold_words(const LessonUi& ui, const std::string& text, const render::Colou
     rich_words(ui, text, ui.canvas.fonts().bold, colour);
 }
 
-/// Scrolls the column to what was drawn since `top`: to its beginning if it is higher than the column.
+/// Scrolls the column to what was drawn below `top`; to `top` itself if that is higher than the column.
 void bring_into_sight(const LessonUi& ui, float top) {
     const float height = ImGui::GetWindowHeight() - ui.px(8.0F);
     const float bottom = ImGui::GetCursorPosY();
@@ -62,7 +62,7 @@ void ExerciseTab::task(const LessonUi& ui, const Practice& practice, const Exerc
     tell(ui, practice);
 }
 
-/// What was said of the answer, and what was asked for: the last of it that is new comes into sight.
+/// Shows verdict, hints and solution, and scrolls to the last of them that is new.
 void ExerciseTab::tell(const LessonUi& ui, const Practice& practice) {
     const Told now{practice.verdicts_given(), practice.hints_given(), practice.shows_solution()};
     const float at_verdict = ImGui::GetCursorPosY();
@@ -96,7 +96,7 @@ void ExerciseTab::question(const LessonUi& ui, const Task& task) {
         rich_words(ui, "$" + given_latex(symbol) + "$", fonts.normal, theme::kInk);
     }
     choices(ui, task);
-    // what a figure cannot tell: how the joints are called, where their points are
+    // what a figure cannot show: the names of the joints, and where their points are
     const bool has_scene = hands_out_file(task.exercise()) && !task.exercise().asked.empty();
     if (has_scene && ImGui::CollapsingHeader(tr("The scene as a lesson file"))) {
         text_box(ui, "scene", handed_out(task), kLinesOfFile);
@@ -124,18 +124,18 @@ void ExerciseTab::choices(const LessonUi& ui, const Task& task) {
     }
 }
 
-/// Puts what was typed before the field had the keyboard before what is typed since: in place of an answer
-/// that was judged, behind one that was not finished.
+/// Passes on to the field the letters that were typed before it had the keyboard. They replace an answer that
+/// was judged, and are appended to one that was not finished.
 Caret ExerciseTab::hand_over_typed() {
     ImVector<ImWchar>& letters = ImGui::GetIO().InputQueueCharacters;
-    // ImGui was told of them, too
+    // ImGui has received these letters, too
     if (std::exchange(took_letters_, false)) { letters.clear(); }
     if (!has_keyboard_ || typed_.empty()) {
         has_caret_ = false;
         return Caret::stays;
     }
     if (!std::exchange(has_caret_, true)) {
-        // ImGui moves the caret when it has read the letters: all of them wait for the next picture
+        // ImGui moves the caret only after it has read the letters: all letters wait for the next frame
         typed_.append(letters.begin(), letters.end());
         letters.clear();
         return answer_ == handed_in_ ? Caret::over_all : Caret::at_end;
@@ -176,7 +176,7 @@ void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const Exerc
     has_keyboard_ = ImGui::IsItemActive();
     if (kind == ExerciseKind::code) {
         if (ImGui::Button(tr("Write a starter"))) { ui.requests.starter = answer_; }
-        tip_of_item(tr("a program to begin with, and a file with its input, unless they are there"));
+        tip_of_item(tr("a program to start from, and a file with its input, unless they exist"));
     }
 }
 

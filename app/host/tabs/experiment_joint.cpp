@@ -38,7 +38,7 @@ void forms(const LessonUi& ui, int index, const Joint& joint) {
         }
         ++k;
     }
-    // p1 and p2 mostly have one and the same reason
+    // p1 and p2 usually have the same reason
     std::string said;
     for (const EquationGroup& group : ui.session.view().equations) {
         if (!group.choice || group.joint != index || group.choice->reason == said) { continue; }
@@ -47,8 +47,8 @@ void forms(const LessonUi& ui, int index, const Joint& joint) {
     }
 }
 
-/// Draws the condition of the pair in use for every direction; pulling on the sphere turns the axis of body
-/// i.
+/// Draws the condition of the pair in use for every direction; dragging on the sphere turns the axis of
+/// body i.
 void sphere(const LessonUi& ui, int index, const Joint& joint) {
     const ParallelForm form = joint.parallel_form;
     const bool has_pair = form != ParallelForm::all_three && form != ParallelForm::pair;
@@ -98,9 +98,9 @@ int components_of(Role role, ParallelForm form) {
     return traits_of(role).independent;
 }
 
-/// A tick for every single equation.
+/// A check box for each single equation.
 void equations(const LessonUi& ui, int index, const Joint& joint) {
-    note(ui, tr("Single equations; without its tick one is taken out of the joint:"));
+    note(ui, tr("Single equations; clear a box to take the equation out of the joint:"));
     for (const Role role : joint.type->roles) {
         ImGui::PushID(static_cast<int>(role));
         ImGui::AlignTextToFramePadding();
@@ -120,7 +120,7 @@ void equations(const LessonUi& ui, int index, const Joint& joint) {
     }
 }
 
-/// A symbol as in the equations, in a row of widgets.
+/// A symbol in a row of widgets, set as in the equations.
 void symbol(const LessonUi& ui, const char* latex) {
     const panels::Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
     const panels::Formula formula = panels::layout_formula(latex, panels::formula_fonts(canvas.fonts()));
@@ -130,14 +130,14 @@ void symbol(const LessonUi& ui, const char* latex) {
     ImGui::Dummy({formula.width, ImGui::GetFrameHeight()});
 }
 
-/// Three sliders of one vector in one row. @return true if it was moved
+/// Three sliders of one vector in one row. @return true if one was moved
 bool sliders(const LessonUi& ui, const char* latex, Vec3& value, double reach) {
     ImGui::PushID(latex);
     symbol(ui, latex);
     bool moved = false;
     for (int k = 0; k < 3; ++k) {
         ImGui::SameLine(k == 0 ? ui.px(66.0F) : 0.0F, ui.px(6.0F));
-        // three and their gaps share what the symbol leaves
+        // three sliders and their gaps share the width that the symbol leaves
         const float room = ImGui::GetWindowContentRegionMax().x - ui.px(66.0F);
         ImGui::SetNextItemWidth(std::clamp((room - 2.0F * ui.px(6.0F)) / 3.0F, 1.0F, ui.px(116.0F)));
         auto number = static_cast<float>(value(k));
@@ -161,7 +161,7 @@ void geometry(const LessonUi& ui, int index, const Joint& joint) {
         note(ui, tr("Axes in their bodies (directions):"));
         Vec3 s_i = g.s_i_local.normalized();
         Vec3 s_j = g.s_j_local.normalized();
-        // a direction of no length cannot be meant: the last one stays
+        // a vector of almost no length is not a direction: the last one stays
         if (sliders(ui, "\\mathbf{s}'_i", s_i, 1.0) && s_i.norm() > 0.05) {
             g = with_axis(g, false, s_i);
             moved = true;

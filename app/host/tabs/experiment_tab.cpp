@@ -32,7 +32,7 @@ std::string newton_text(const Session& session) {
                      "Newton: {0} iterations, not closed, the last ‖Φ‖ = {1}", last);
 }
 
-/// Draws the result of everything tried so far in one line that is always in sight.
+/// Shows the result of all experiments so far, in one line that is always there.
 void verdict(const LessonUi& ui) {
     const RankView& rank = ui.session.view().rank;
     std::string text = tr_count(
@@ -41,7 +41,7 @@ void verdict(const LessonUi& ui) {
     if (rank.differs_once_assembled()) {
         text = tr("{0}, rank {1} once assembled", text, *rank.once_assembled);
     }
-    if (rank.redundant() > 0) { text = tr("{0}, {1} repeated", text, rank.redundant()); }
+    if (rank.redundant() > 0) { text = tr("{0}, {1} redundant", text, rank.redundant()); }
     ImGui::PushFont(ui.canvas.fonts().bold);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(text.c_str());
@@ -67,10 +67,10 @@ void history(const LessonUi& ui) {
     };
     button(Command::undo, tr("Undo"), !undo.empty());
     ImGui::SameLine();
-    button(Command::redo, tr("Do again"), !redo.empty());
-    beside_if_it_fits(tr("As it was written"), 1.0F);
-    button(Command::start_over, tr("As it was written"), ui.session.is_changed());
-    // there from the start, so that nothing moves below it
+    button(Command::redo, tr("Redo"), !redo.empty());
+    beside_if_it_fits(tr("Reset"), 1.0F);
+    button(Command::start_over, tr("Reset"), ui.session.is_changed());
+    // shown from the start, so that nothing below it moves
     note(ui, undo.empty() ? tr("no change yet") : tr("last change: {0}", undo));
 }
 
@@ -80,7 +80,7 @@ void coordinates(const LessonUi& ui) {
     if (choose_coordinates("##coordinates", -1.0F, choice)) { ui.requests.add(SetCoordinates{choice}); }
 }
 
-/// A tick for what takes part, a name to choose what is looked at below.
+/// For each joint and driver: a check box to take it out, and its name to select it.
 void parts(const LessonUi& ui) {
     section(ui, tr("Joints and drivers"));
     const Lesson& lesson = ui.session.lesson();
@@ -106,17 +106,17 @@ void parts(const LessonUi& ui) {
     }
 }
 
-/// The equations of which taking out any single one costs no rank.
+/// The equations of which any single one can be taken out without loss of rank.
 void repeated_equations(const LessonUi& ui) {
     const RankReport& report = ui.session.rank();
     if (report.redundant_rows.empty()) { return; }
     const System& system = *ui.session.step().system;
-    section(ui, tr("Equations that repeat each other"));
+    section(ui, tr("Redundant equations"));
     const std::vector<std::string>& combinations = ui.session.view().rank.combinations;
     for (std::size_t k = 0; k < combinations.size(); ++k) {
         note(ui, combinations[k]);
         if (!ImGui::IsItemHovered()) { continue; }
-        // the one that repeats and those that it repeats
+        // the redundant equation and those that imply it
         const RedundantRow& repeated = report.redundant_rows[k];
         ui.requests.lit_rows.push_back(repeated.row);
         for (const RedundantRow::Term& term : repeated.terms) { ui.requests.lit_rows.push_back(term.row); }
@@ -152,7 +152,7 @@ std::string followed_text(const System& system, const FreedomJudgement& followed
                : tr("To first order only: it {0}.", leaves);
 }
 
-/// With the verdict on it, at the steps that list free motions.
+/// Text of a free motion, with its verdict at the steps that list free motions.
 std::string told_freedom(const LessonUi& ui, int motion) {
     const MotionsWhenAsked& judged = ui.session.view().rank.judged_motions;
     if (judged) {
@@ -189,7 +189,7 @@ void freedoms(const LessonUi& ui) {
     }
 }
 
-/// What the author proposes.
+/// Experiments that the author proposes.
 void trials(const LessonUi& ui) {
     const std::vector<Trial>& proposed = ui.session.lesson().trials;
     if (proposed.empty()) { return; }

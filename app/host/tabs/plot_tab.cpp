@@ -19,7 +19,7 @@ using panels::Point;
 
 constexpr double kZoomPerNotch = 1.25;
 constexpr float kReach = 12.0F;         // pixels at 720
-constexpr float kLeastCurves = 230.0F;  // of the curves: three units below each other
+constexpr float kLeastCurves = 230.0F;  // height of the curves, for three units below each other
 
 }  // namespace
 
@@ -27,7 +27,7 @@ const char* PlotTab::name() const { return word_of(kTopics, topic_); }
 
 const SeriesSet& PlotTab::set(const Session& session, int joint) {
     if (told_ != session.told()) {
-        // told anew: numbers are others, what was chosen to be seen stays
+        // the story was computed again: the numbers have changed, the selection of curves stays
         told_ = session.told();
         sets_ = {};
     }
@@ -91,7 +91,7 @@ void PlotTab::controls(const LessonUi& ui, const SeriesSet& shown) {
     choose_curves(ui, shown);
     ImGui::SameLine();
     if (ImGui::Button(tr("All"))) { state() = panels::unzoomed(state()); }
-    tip_of_item(tr("everything in sight again"));
+    tip_of_item(tr("show everything again"));
     ImGui::SameLine();
     command_button(ui, Command::save_csv, "CSV");
 }
@@ -110,7 +110,7 @@ void PlotTab::handle(const LessonUi& ui, const panels::PlotLayout& layout, const
     }
     const std::optional<double> at = panels::at_of_pixel(layout, mouse);
     if (ImGui::IsItemActive() && at) {
-        // the timeline follows
+        // the timeline follows the pointer
         const int point = panels::point_near(shown, *at);
         if (point >= 0) {
             ui.state.playback.pause();
@@ -118,7 +118,7 @@ void PlotTab::handle(const LessonUi& ui, const panels::PlotLayout& layout, const
         }
     }
     if (!ImGui::IsItemHovered()) { return; }
-    // where the column scrolls, the wheel does that
+    // in a column that can be scrolled, the wheel scrolls
     if (io.MouseWheel != 0.0F && at && ImGui::GetScrollMaxY() <= 0.0F) {
         state() = panels::zoomed(
             state(), layout, mouse, std::pow(kZoomPerNotch, static_cast<double>(io.MouseWheel)));

@@ -14,15 +14,15 @@ namespace {
 using panels::Box;
 using panels::Point;
 
-// a dozen methods, what they show, and the curves
+// height of a dozen methods, the summary and the curves
 constexpr float kLeastPrices = 400.0F;
 
 /// Why this lesson cannot be measured; empty if it can.
 std::string why_not(const Lesson& lesson) {
     if (!lesson.dynamics) {
         return tr(
-            "This lesson has no masses: nothing is integrated, so no digit of it has a price. The lessons of "
-            "dynamics have one, dynamics/andrews for example.");
+            "This lesson has no masses: nothing is integrated, so there is no error to compare with the "
+            "time. Lessons of dynamics have one, for example dynamics/andrews.");
     }
     if (!lesson.dynamics->point) {
         return tr("Errors are those of one point's path: name it as 'point' in [dynamics] of the lesson.");
@@ -44,7 +44,7 @@ void PriceTab::begin(const Session& session) {
     if (!session.is_changed()) { reference = stored_reference(lesson_file_); }
     BenchPlan plan;
     plan.treatment = treatment_;
-    forget();  // one at a time: two would slow each other
+    forget();  // one measurement at a time: two would slow each other down
     job_ = std::make_unique<BenchJob>(session.lesson(), std::move(reference), plan);
 }
 
@@ -70,7 +70,7 @@ void PriceTab::controls(const LessonUi& ui) {
     width_beside_label(ui, tr("constraints"), 150.0F);
     if (ImGui::BeginCombo(tr("constraints"), std::string(entry_of(treatment_).name).c_str())) {
         for (const TreatmentName& entry : kTreatments) {
-            // implicit methods only, and they take it for projection already
+            // only for implicit methods, which already use it for projection
             if (entry.treatment == Treatment::tangent) { continue; }
             if (ImGui::Selectable(std::string(entry.name).c_str(), entry.treatment == treatment_)) {
                 treatment_ = entry.treatment;
@@ -88,7 +88,7 @@ void PriceTab::draw(const LessonUi& ui, const Box& box) {
         forget();
     }
     const std::string unfit = why_not(ui.session.lesson());
-    section(ui, tr("What a digit costs"));
+    section(ui, tr("Cost of accuracy"));
     if (!unfit.empty()) { return note(ui, unfit); }
     controls(ui);
     look_at_news();
@@ -96,10 +96,8 @@ void PriceTab::draw(const LessonUi& ui, const Box& box) {
     if (!job_ && !prices_) {
         return note(
             ui, tr("Every adaptive method integrates this lesson with tolerances from 3e-2 to 1e-13; the "
-                   "error is "
-                   "that of the lesson's point at 100 times. A method that is fast at three digits need not "
-                   "be at "
-                   "nine."));
+                   "error is that of the lesson's point at 100 times. The fastest method for three digits "
+                   "need not be the fastest for nine."));
     }
     if (!news_.origin.empty()) { note(ui, tr("Compared with: {0}", news_.origin)); }
     const Box place = rest_of_column(ui, box, kLeastPrices);

@@ -18,7 +18,7 @@ constexpr std::array kCommands{
         Command::next_joint, Group::timeline, tr_later("Next joint or driver"), tr_later("Page down"),
         Key::page_down},
     CommandInfo{
-        Command::previous_joint, Group::timeline, tr_later("Joint or driver before"), tr_later("Page up"),
+        Command::previous_joint, Group::timeline, tr_later("Previous joint or driver"), tr_later("Page up"),
         Key::page_up},
     CommandInfo{
         Command::first, Group::timeline, tr_later("First step (restart)"), tr_later("Home"), Key::home},
@@ -35,10 +35,10 @@ constexpr std::array kCommands{
     CommandInfo{
         Command::tab_newton, Group::panels, tr_later("Newton-Raphson, compared"), "4", Key::none, '4'},
     CommandInfo{
-        Command::tab_price, Group::panels, tr_later("Price: what a digit costs"), "5", Key::none, '5'},
+        Command::tab_price, Group::panels, tr_later("Cost: speed against error"), "5", Key::none, '5'},
     CommandInfo{
         Command::tab_exercises, Group::panels, tr_later("Exercises of this lesson"), "6", Key::none, '6'},
-    CommandInfo{Command::next_tab, Group::panels, tr_later("Next of these"), tr_later("Tab"), Key::tab},
+    CommandInfo{Command::next_tab, Group::panels, tr_later("Next tab"), tr_later("Tab"), Key::tab},
     CommandInfo{
         Command::panel_keys, Group::panels, tr_later("Arrows move in the panel"), "w", Key::none, 'w'},
     CommandInfo{Command::panel_down, Group::panels, tr_later("Scroll the panel down"), "]", Key::none, ']'},
@@ -46,15 +46,13 @@ constexpr std::array kCommands{
     CommandInfo{Command::text_down, Group::panels, tr_later("Scroll the text down"), "}", Key::none, '}'},
     CommandInfo{Command::text_up, Group::panels, tr_later("Scroll the text up"), "{", Key::none, '{'},
     CommandInfo{
-        Command::next_symbol, Group::panels, tr_later("Next symbol of the text"), "t", Key::none, 't'},
+        Command::next_symbol, Group::panels, tr_later("Next symbol in the text"), "t", Key::none, 't'},
     CommandInfo{
-        Command::symbol_before, Group::panels, tr_later("Symbol of the text before"), "T", Key::none, 'T'},
+        Command::symbol_before, Group::panels, tr_later("Previous symbol in the text"), "T", Key::none, 'T'},
 
     CommandInfo{Command::undo, Group::experiments, tr_later("Undo"), "Ctrl+Z, u", Key::none, 'u', Key::z},
-    CommandInfo{Command::redo, Group::experiments, tr_later("Do again"), "Ctrl+Y, U", Key::none, 'U', Key::y},
-    CommandInfo{
-        Command::start_over, Group::experiments, tr_later("The lesson as it was written"), "0", Key::none,
-        '0'},
+    CommandInfo{Command::redo, Group::experiments, tr_later("Redo"), "Ctrl+Y, U", Key::none, 'U', Key::y},
+    CommandInfo{Command::start_over, Group::experiments, tr_later("Reset the lesson"), "0", Key::none, '0'},
     CommandInfo{
         Command::play_freedom, Group::experiments, tr_later("Move along the next free motion"), "m",
         Key::none, 'm'},
@@ -83,15 +81,15 @@ constexpr std::array kCommands{
     CommandInfo{Command::turn_up, Group::picture, tr_later("Turn up"), tr_later("k, Up"), Key::up, 'k'},
     CommandInfo{
         Command::turn_down, Group::picture, tr_later("Turn down"), tr_later("j, Down"), Key::down, 'j'},
-    CommandInfo{Command::zoom_in, Group::picture, tr_later("Nearer"), "i", Key::none, 'i'},
-    CommandInfo{Command::zoom_out, Group::picture, tr_later("Farther"), "o", Key::none, 'o'},
+    CommandInfo{Command::zoom_in, Group::picture, tr_later("Zoom in"), "i", Key::none, 'i'},
+    CommandInfo{Command::zoom_out, Group::picture, tr_later("Zoom out"), "o", Key::none, 'o'},
     CommandInfo{Command::dark, Group::picture, tr_later("Light or dark"), "d", Key::none, 'd'},
     CommandInfo{Command::larger_text, Group::picture, tr_later("Larger text"), "+", Key::none, '+'},
     CommandInfo{Command::smaller_text, Group::picture, tr_later("Smaller text"), "-", Key::none, '-'},
     CommandInfo{Command::language, Group::picture, tr_later("Next language"), "G", Key::none, 'G'},
 
     CommandInfo{Command::lessons, Group::files, tr_later("Lessons"), "Ctrl+O, g", Key::none, 'g', Key::o},
-    CommandInfo{Command::reload, Group::files, tr_later("Read the file again"), "F5", Key::f5},
+    CommandInfo{Command::reload, Group::files, tr_later("Reload the file"), "F5", Key::f5},
     CommandInfo{Command::save_picture, Group::files, tr_later("Save a picture"), "p", Key::none, 'p'},
     CommandInfo{Command::record, Group::files, tr_later("Record from here as pictures"), "R", Key::none, 'R'},
     CommandInfo{

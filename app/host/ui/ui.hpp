@@ -12,8 +12,8 @@
 #include "app/session/try/session.hpp"
 #include "lessons/enum_words.hpp"
 
-/// Values shared by the parts of the interface: what they see and what they request. Nothing changes while a
-/// frame is drawn; the host carries out the requests afterwards.
+/// Values shared by the parts of the interface: the state that they see and their requests. Nothing changes
+/// while a frame is drawn; the host carries out the requests afterwards.
 namespace jw::host {
 
 enum class Tab { step, experiments, plot, newton, price, exercises };
@@ -22,32 +22,32 @@ inline constexpr std::array kTabs{
     EnumWord<Tab>{Tab::experiments, "try", tr_later("Try it")},
     EnumWord<Tab>{Tab::plot, "plots", tr_later("Plots")},
     EnumWord<Tab>{Tab::newton, "newton", tr_later("Newton")},
-    EnumWord<Tab>{Tab::price, "price", tr_later("Price")},
+    EnumWord<Tab>{Tab::price, "price", tr_later("Cost")},
     EnumWord<Tab>{Tab::exercises, "exercises", tr_later("Exercises")}};
 
 /// How far a part of the window is scrolled.
 struct Scroll {
-    float offset = 0.0F;  ///< pixels above it
-    float most = 0.0F;    ///< largest offset; 0: all of it is in sight
-    float wanted = 0.0F;  ///< by a command, in parts of its height; taken at the next frame
+    float offset = 0.0F;  ///< pixels hidden above
+    float most = 0.0F;    ///< largest offset; 0: everything is visible
+    float wanted = 0.0F;  ///< by a command, in parts of its height; applied in the next frame
     bool held = false;    ///< the pointer drags its bar
 };
 
-/// State of the screen beyond the lesson itself.
+/// State of the interface, apart from the lesson.
 struct UiState {
     Tab tab = Tab::step;
-    bool browser = false;  ///< the lessons instead of a lesson
-    bool help = false;     ///< the list of keys over everything
+    bool browser = false;  ///< the list of lessons is shown instead of a lesson
+    bool help = false;     ///< the list of keys is shown over everything
     bool dark = false;
     float text_scale = 1.0F;
-    bool has_disk = true;  ///< other programs see the files that are written: their paths are told
-    std::vector<Command> not_offered;  ///< neither in the menu nor in the list of keys
+    bool has_disk = true;              ///< other programs can see the files that are written: paths are shown
+    std::vector<Command> not_offered;  ///< hidden in the menu and in the list of keys
 
-    Pointable pointed_at;       ///< what the pointer is over, in panels or in 3D
+    Pointable pointed_at;       ///< object under the pointer, in panels or in 3D
     int symbol = -1;            ///< of the caption, chosen by the keyboard; -1: none
-    std::vector<int> lit_rows;  ///< of the system: lit together, whatever is pointed at
+    std::vector<int> lit_rows;  ///< of the system: highlighted, whatever is pointed at
     Lit lit() const { return {pointed_at || symbol < 0 ? pointed_at : Pointable::symbol(symbol), lit_rows}; }
-    /// Another lesson follows, or the lesson as it was changed: what was pointed at need not be there.
+    /// Call when the lesson is replaced or changed: the object pointed at may be gone.
     void forget_pointed() {
         pointed_at = {};
         symbol = -1;
@@ -55,11 +55,11 @@ struct UiState {
     }
 
     Scroll column;           ///< of the step's panels
-    Scroll caption;          ///< of the words below the picture
-    Scroll sheet;            ///< of the list of keys: `wanted` only
-    int scrolled_step = -1;  ///< the step that column and caption are scrolled at
+    Scroll caption;          ///< of the text below the picture
+    Scroll sheet;            ///< of the list of keys: only `wanted` is used
+    int scrolled_step = -1;  ///< step at which column and caption were scrolled
 
-    bool panel_keys = false;  ///< the keyboard moves among the widgets of the panel
+    bool panel_keys = false;  ///< the keyboard operates the widgets of the panel
 
     Playback playback;
 
@@ -71,14 +71,14 @@ struct UiState {
 struct Requests {
     std::vector<Experiment> experiments;
     std::vector<Command> commands;
-    std::optional<std::string> open;     ///< lesson file
-    std::optional<int> trial;            ///< of the lesson: to be carried out
+    std::optional<std::string> open;     ///< lesson file to open
+    std::optional<int> trial;            ///< of the lesson, to carry out
     std::optional<std::string> copy;     ///< text for the clipboard
-    std::optional<int> show_joint;       ///< its vectors and equations, while everything moves
-    std::vector<int> lit_rows;           ///< for the next frame
-    std::optional<int> exercise;         ///< of the lesson: to be begun
-    std::optional<std::string> answer;   ///< to the exercise: to be judged
-    std::optional<std::string> starter;  ///< file of a program to begin with: to be written
+    std::optional<int> show_joint;       ///< joint whose vectors and equations the motion shows
+    std::vector<int> lit_rows;           ///< highlighted in the next frame
+    std::optional<int> exercise;         ///< of the lesson, to begin
+    std::optional<std::string> answer;   ///< to the exercise, to judge
+    std::optional<std::string> starter;  ///< file of a starter program, to write
 
     void add(const Experiment& experiment) { experiments.push_back(experiment); }
     void add(Command command) { commands.push_back(command); }

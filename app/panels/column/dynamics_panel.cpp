@@ -17,7 +17,7 @@ namespace jw::panels {
 
 namespace {
 
-/// The block equation of slide 24, and beside it what M and Q are where there is room.
+/// The block equation of slide 24, and beside it the meaning of M and Q if there is room.
 float draw_slide_24(const Canvas& canvas, const Box& box) {
     const Formula equation = layout_formula(
         R"(\begin{bmatrix} \mathbf{M} & \boldsymbol{\Phi}_q^T \\ \boldsymbol{\Phi}_q & \mathbf{0} \end{bmatrix}
@@ -49,20 +49,20 @@ constexpr std::array kOneTable{
     Heading{"m", "kg", 0.12F}, Heading{R"(\mathbf{J}')", tr_later("xx, yy, zz in kg m²"), 0.42F},
     Heading{R"(\mathbf{f})", "N", 0.71F},
     Heading{R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')", "N m", 1.0F}};
-/// The same in two tables, one below the other: large text in a narrow column.
+/// The same in two tables, one below the other, for large text in a narrow column.
 constexpr std::array kOfM{
     Heading{"m", "kg", 0.25F}, Heading{R"(\mathbf{J}')", tr_later("xx, yy, zz in kg m²"), 1.0F}};
 constexpr std::array kOfQ{
     Heading{R"(\mathbf{f})", "N", 0.5F},
     Heading{R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')", "N m", 1.0F}};
 
-/// Up to four digits, whatever the size: masses may be decades apart.
+/// A number with few digits, whatever its size: masses may be decades apart.
 std::string short_number(double value) {
     constexpr double nothing = 1e-12;
     return with_minus_signs(number_text(std::abs(value) < nothing ? 0.0 : value, 3));
 }
 
-/// @param nothing  what is smaller is rounding, shown as 0
+/// @param nothing  smaller values are rounding, and are shown as 0
 void draw_triple(const Canvas& canvas, const Box& cell, const Vec3& v, double nothing = 0.0) {
     const ImFont* const small = canvas.fonts().small;
     for (int k = 0; k < 3; ++k) {
@@ -73,7 +73,7 @@ void draw_triple(const Canvas& canvas, const Box& cell, const Vec3& v, double no
     }
 }
 
-/// A symbol and its unit, which goes where there is no room for it.
+/// A symbol and its unit, which is left out if there is no room for it.
 void draw_head(const Canvas& canvas, const Box& cell, const char* symbol, const char* unit) {
     const ImFont* const small = canvas.fonts().small;
     const Formula formula = layout_formula(symbol, small_formula_fonts(canvas.fonts()));
@@ -86,7 +86,7 @@ void draw_head(const Canvas& canvas, const Box& cell, const char* symbol, const 
     draw_formula(canvas, {cell.right() - width - formula.width, baseline}, formula, theme::kInk);
 }
 
-/// One row a body; `draw` fills the cells of one.
+/// A table with one row per body; `draw` fills the cells of a row.
 template <class DrawBody>
 float draw_table(
     const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most,
@@ -123,7 +123,7 @@ void draw_mass(const Canvas& canvas, const Box& cell, double mass) {
     canvas.text({cell.right(), cell.y}, canvas.fonts().small, theme::kInk, short_number(mass), Align::right);
 }
 
-/// M and Q, one row a body.
+/// M and Q, one row per body.
 float draw_bodies(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most) {
     const float number = canvas.text_width(canvas.fonts().small, "−0.0123") + canvas.px(2.0F);
     const double nothing = 1e-9 * dynamics.Q.cwiseAbs().maxCoeff();
@@ -150,7 +150,7 @@ float draw_bodies(const Canvas& canvas, const Box& box, const DynamicsView& dyna
                });
 }
 
-/// "A  s x −1.2, s y 0.4, p1 x (0)": λ of one joint, those that repeat others in brackets.
+/// "A  s x −1.2, s y 0.4, p1 x (0)": λ of one joint, those of redundant equations in brackets.
 std::string multipliers_line(const DynamicsView& dynamics, std::size_t& first) {
     const std::string& owner = dynamics.multipliers[first].owner;
     std::string text = owner + ":";
@@ -168,9 +168,8 @@ float draw_multipliers(const Canvas& canvas, const Box& box, const DynamicsView&
     const render::Fonts& fonts = canvas.fonts();
     const Formula lambda = layout_formula(R"(\boldsymbol{\lambda})", formula_fonts(fonts));
     draw_formula(canvas, {box.x, box.y + std::round(fonts.small->Ascent)}, lambda, theme::kInk);
-    const std::string about = dynamics.unique()
-                                  ? tr("of the rows of Φq, joint by joint")
-                                  : tr("of the rows of Φq; in brackets those that repeat others");
+    const std::string about = dynamics.unique() ? tr("of the rows of Φq, joint by joint")
+                                                : tr("of the rows of Φq; redundant ones in brackets");
     const float left = lambda.width + canvas.px(6.0F);
     canvas.text(
         {box.x + left, box.y}, fonts.small, theme::kSoft, shortened(*fonts.small, about, box.width - left));

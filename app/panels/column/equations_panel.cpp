@@ -23,7 +23,7 @@ const char* word_of(Status status) {
         case Status::open: return "";
         case Status::redundant: break;
     }
-    return tr("repeats");
+    return tr("redundant");
 }
 
 Colour colour_of(Status status) {
@@ -68,23 +68,23 @@ void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& ro
     canvas.text({right, cell.y}, font, text_ink, value, Align::right);
     const float drop = std::round(font->Ascent) - std::round(small->Ascent);
     const Colour word_ink = row.status == Status::redundant ? theme::kRedundant : theme::kSoft;
-    // the mark says it too
+    // the word can be left out: the mark says the same
     const char* const word = word_of(row.status);
     const bool fits = right + canvas.px(6.0F) + canvas.text_width(small, word) <= cell.right();
     if (fits) { canvas.text({right + canvas.px(6.0F), cell.y + drop}, small, word_ink, word); }
 }
 
-/// "p1 · in m": whose the equation is where those of several are shown, and its unit.
+/// "p1 · in m": the owner of the equation, if those of several are shown, and its unit.
 std::string aside_of(const EquationGroup& group) {
     const std::string unit =
         group.unit.empty() || group.unit == "-" ? std::string() : tr("in {0}", group.unit);
     return group.owner + (group.owner.empty() || unit.empty() ? "" : " · ") + unit;
 }
 
-/// A formula in at most two lines: what is wider than the column is broken behind "≡".
+/// A formula in at most two lines: one that is wider than the column is broken after "≡".
 struct FormulaLines {
     Formula first;
-    Formula second;  ///< of no width where one line is enough
+    Formula second;  ///< width 0 if one line is enough
 };
 
 FormulaLines formula_lines(const FormulaFonts& fonts, const std::string& markup, float width) {
@@ -155,8 +155,7 @@ float equations_panel(
     const bool open = !equations.empty() && !equations.front().rows.empty() &&
                       equations.front().rows.front().status == Status::open;
     float height = heading(
-        canvas, box, tr("Equations"),
-        open ? tr("not added yet") : tr("■ kept   □ left out   ▨ repeats others"));
+        canvas, box, tr("Equations"), open ? tr("not added yet") : tr("■ kept   □ left out   ▨ redundant"));
     const float gap =
         canvas.px(density == Density::roomy ? 10.0F : (density == Density::compact ? 7.0F : 4.0F));
     for (const EquationGroup& group : equations) {

@@ -28,14 +28,14 @@ constexpr float kNoteGap = 0.03F;
 constexpr float kLeastLabel = 0.2F;  // of the width, for the name of an equation
 
 /// Places of the columns for this width. With large text in a narrow column they follow from the widths of
-/// the numbers, and what is needed least is left out: a place of 0.
+/// the numbers, and the least important columns are left out: their place is 0.
 Places places_of(const Canvas& canvas, const Box& box) {
     const auto part = [&](const char* text) {
         return (canvas.text_width(canvas.fonts().small, text) + canvas.px(6.0F)) / box.width;
     };
     const Places usual;
     const float number = part("−1.9e−01");
-    const float size = part("1.9e−01");  // of what is never negative
+    const float size = part("1.9e−01");  // of values that are never negative
     if (usual.phi - usual.k >= size && usual.delta - usual.value >= size &&
         usual.turn - usual.delta >= part("53.6°")) {
         return usual;
@@ -61,7 +61,7 @@ Places places_of(const Canvas& canvas, const Box& box) {
     return places;
 }
 
-// the part taken says it already
+// no note for it: the column of the part taken already shows it
 constexpr const char* kStepLimited = tr_later("step limited");
 
 struct Line {
@@ -148,7 +148,7 @@ float newton_panel(
     const Canvas& canvas, const Box& box, const std::vector<NewtonRow>& rows, Density density) {
     const std::size_t most = most_rows(density);
     const std::size_t first = rows.size() > most ? rows.size() - most : 0;
-    const std::string note = first > 0 ? tr("{0} earlier not shown", first) : "Φq Δq = −Φ";
+    const std::string note = first > 0 ? tr("{0} earlier ones not shown", first) : "Φq Δq = −Φ";
     float height = heading(canvas, box, tr("Newton–Raphson"), note);
     draw_head(canvas, {box.x, box.y + height, box.width, 0.0F});
     height += canvas.line_height(canvas.fonts().small) + canvas.px(3.0F);

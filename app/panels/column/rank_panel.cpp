@@ -37,7 +37,7 @@ std::array<Figure, 6> figures_of(const RankView& rank) {
     const bool grown = rank.rank_before >= 0 && rank.rank_before != rank.rank;
     const bool here = rank.differs_once_assembled();
     const int redundant = rank.redundant();
-    // a growth that assembly takes back is none
+    // a growth that is lost by the assembly is not shown
     const std::string number = grown && !here
                                    ? std::to_string(rank.rank_before) + " → " + std::to_string(rank.rank)
                                    : std::to_string(rank.rank);
@@ -96,7 +96,7 @@ float warning(const Canvas& canvas, const Box& box, const std::string& text) {
     return height + canvas.px(4.0F);
 }
 
-/// "10 once assembled, 8 before: 1 redundant", where that is another rank than that of the pose.
+/// "10 once assembled, 8 before: 1 redundant", if the rank once assembled is not that of the pose.
 float once_assembled_line(const Canvas& canvas, const Box& box, const RankView& rank) {
     if (!rank.differs_once_assembled()) { return 0.0F; }
     const int once = *rank.once_assembled;
@@ -116,7 +116,7 @@ float rank_figures(const Canvas& canvas, const Box& box, const RankView& rank) {
                        : tr("of the matrix here, not assembled yet"));
     const float row = canvas.line_height(canvas.fonts().title) + canvas.line_height(canvas.fonts().small);
     const std::array<Figure, 6> figures = figures_of(rank);
-    // large text in a narrow window: three below three
+    // large text in a narrow window: two lines of three
     const bool narrow = std::ranges::any_of(figures, [&](const Figure& figure) {
         return width_of(canvas, figure) + canvas.px(3.0F) > figure.share * box.width;
     });
@@ -157,7 +157,7 @@ float rank_words(const Canvas& canvas, const Box& box, const RankView& rank, Den
     const std::size_t lines = density >= Density::tight ? 1 : 2;
     float height = rank_warnings(canvas, box, rank);
     const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
-    height += titled_list(canvas, below(), tr("What repeats what"), rank.combinations, most, lines);
+    height += titled_list(canvas, below(), tr("Dependent equations"), rank.combinations, most, lines);
     const char* const title = rank.dof == 1 ? tr("The freedom that is left") : tr("Freedoms that are left");
     height += titled_list(canvas, below(), title, rank.told_motions(), most, lines);
     return height;

@@ -16,8 +16,8 @@ namespace jw::panels {
 namespace {
 
 constexpr float kMarkDistance = 84.0F;  // between the marks along one curve
-constexpr float kEveryPoint = 22.0F;    // points farther apart than this are marked each
-constexpr float kLongestLeader = 5.0F;  // from a curve to its name, in lines: longer ones tie nothing
+constexpr float kEveryPoint = 22.0F;    // if points are farther apart than this, each one is marked
+constexpr float kLongestLeader = 5.0F;  // from a curve to its name, in lines; longer ones do not help
 
 void draw_empty(const Canvas& canvas, const PlotLayout& layout) {
     const ImFont* const font = canvas.fonts().normal;
@@ -44,7 +44,7 @@ void draw_values_axis(const Canvas& canvas, const PlotPane& pane) {
     canvas.text(pane.caption_at, small, theme::kSoft, pane.caption);
 }
 
-/// Zero stands out where values have both signs.
+/// Draws the line of zero if values have both signs.
 void draw_zero(const Canvas& canvas, const PlotPane& pane) {
     if (pane.y.logarithmic || pane.y.range.from >= 0.0 || pane.y.range.to <= 0.0) { return; }
     const float y = std::round(pane.y.pixel(0.0));
@@ -81,7 +81,7 @@ void draw_lower_axis(const Canvas& canvas, const PlotLayout& layout) {
     }
 }
 
-/// Width of the line above a pane that is written on.
+/// Right end of the text in the line above a pane.
 float right_of_caption(const Canvas& canvas, const PlotPane& pane) {
     const ImFont* const small = canvas.fonts().small;
     return pane.caption.empty() ? pane.plot.x : pane.caption_at.x + canvas.text_width(small, pane.caption);
@@ -107,7 +107,7 @@ void draw_marks(const Canvas& canvas, const PlotLayout& layout) {
             }
         }
     }
-    // after all lines: one from the upper row may pass through a text of the lower one
+    // after all lines: the line of a mark in the upper row may pass through a text of the lower one
     for (const PlotMark& mark : layout.marks) {
         if (mark.text.empty()) { continue; }
         canvas.fill(mark.box, theme::kPaper);
@@ -115,7 +115,7 @@ void draw_marks(const Canvas& canvas, const PlotLayout& layout) {
     }
 }
 
-/// At every point where there are few, else every so often, not at the same place for all curves.
+/// Draws marks at every point if there are few, else at intervals, at different places for each curve.
 void draw_marks_along(
     const Canvas& canvas, const PlotPane& pane, const std::vector<Point>& run, const CurveStyle& style,
     std::size_t place) {
@@ -126,7 +126,7 @@ void draw_marks_along(
     float next =
         std::max(pane.plot.x, run.front().x) + distance * (0.3F + 0.37F * static_cast<float>(place % 3));
     const Box around = shrunk(pane.plot, -1.0F, -1.0F);
-    // a curve that is over before its first mark has one at its end
+    // a curve that ends before its first mark has one at its end
     if (!each && run.back().x < next && around.contains(run.back())) {
         draw_curve_mark(canvas, run.back(), style);
     }
@@ -137,8 +137,8 @@ void draw_marks_along(
     }
 }
 
-/// The mark of a curve and a text, on paper where curves run below. Names keep their colour while another
-/// curve stands out: pale letters are hard to read.
+/// Draws the mark of a curve and a text, on a background of paper if curves run below. Names keep their
+/// colour while another curve is highlighted, because pale letters are hard to read.
 void draw_label(
     const Canvas& canvas, const PlotPane& pane, const PlotLabel& label, const SeriesSet& set, bool on_paper) {
     const auto place = std::ranges::find(pane.series, label.series) - pane.series.begin();
@@ -181,7 +181,7 @@ void draw_cursor(const Canvas& canvas, const PlotLayout& layout, const SeriesSet
         layout.cursor_text, Align::centre);
 }
 
-/// Writes at the end of the first caption's line what is not drawn.
+/// Writes what is not drawn, at the end of the first caption's line.
 void draw_left_out(const Canvas& canvas, const PlotLayout& layout) {
     int unnamed = 0;
     for (const PlotPane& pane : layout.panes) { unnamed += pane.unnamed; }
@@ -189,8 +189,8 @@ void draw_left_out(const Canvas& canvas, const PlotLayout& layout) {
     if (unnamed > 0) { text = tr_count(unnamed, "{0} curve not named", "{0} curves not named"); }
     if (layout.left_out > 0) {
         const std::string units = tr_count(
-            layout.left_out, "{0} unit not shown for want of height",
-            "{0} units not shown for want of height");
+            layout.left_out, "{0} unit not shown: not enough height",
+            "{0} units not shown: not enough height");
         text = text.empty() ? units : tr("{0}, {1}", text, units);
     }
     const PlotPane& first = layout.panes.front();

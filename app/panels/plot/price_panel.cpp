@@ -23,7 +23,7 @@ float column(std::size_t k) {
 
 void draw_price_names(const Canvas& canvas, const Box& row) {
     const ImFont* const small = canvas.fonts().small;
-    canvas.text({row.x + name_indent(canvas), row.y}, small, theme::kSoft, tr("ms to come within"));
+    canvas.text({row.x + name_indent(canvas), row.y}, small, theme::kSoft, tr("ms for an error below"));
     const auto name = [&](std::size_t k, const std::string& text) {
         canvas.text({row.x + column(k) * row.width, row.y}, small, theme::kSoft, text, Align::right);
     };
@@ -60,7 +60,7 @@ ComparisonLayout price_panel(
         draw_row(canvas, line, prices.rows[row], style);
     };
     parts.summary = prices.summary;
-    parts.caption = tr("CPU time over the digits of position that it buys");
+    parts.caption = tr("CPU time against correct digits of position");
     return draw_comparison(canvas, rest, prices.curves, parts, state);
 }
 

@@ -87,7 +87,7 @@ std::string pose_answer_text(const BodyPose& pose) {
 }
 
 std::string answer_text(const Lesson& lesson, const Question& question, const RightAnswer& right) {
-    if (!right.known) { return tr("It cannot be told in this scene."); }
+    if (!right.known) { return tr("This cannot be determined in this scene."); }
     if (right.pose) { return pose_answer_text(*right.pose); }
     if (!right.things.empty()) {
         std::vector<std::string> names;

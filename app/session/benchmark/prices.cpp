@@ -14,7 +14,7 @@ namespace {
 double finest_of(const BenchRun& run) {
     double finest = kNotKnown;
     for (const BenchPoint& point : run.points) {
-        // NaN loses every comparison
+        // every comparison with NaN is false
         if (!(finest <= point.position)) { finest = point.position; }
     }
     return finest;
@@ -38,9 +38,9 @@ std::string winner_at(const std::vector<PriceRow>& rows, std::size_t level) {
     const double time = *first->milliseconds[level];
     const std::string milliseconds = number_text(time, 2);
     if (second == nullptr) {
-        return tr("{0}: {1} in {2} ms, alone.", error, first->name, milliseconds) + ' ';
+        return tr("{0}: {1} in {2} ms; no other method reached it.", error, first->name, milliseconds) + ' ';
     }
-    return tr("{0}: {1} in {2} ms, {3} times ahead of {4}.", error, first->name, milliseconds,
+    return tr("{0}: {1} in {2} ms, {3} times as fast as {4}.", error, first->name, milliseconds,
               number_text(*second->milliseconds[level] / time, 2), second->name) +
            ' ';
 }
@@ -73,7 +73,7 @@ SeriesSet work_precision(const std::vector<BenchRun>& runs) {
     SeriesSet set;
     set.axis = tr_later("digits of position");
     set.logarithmic = true;
-    // products, not sums: three digits are asked for at 3
+    // computed by division, not by summing: three digits are exactly at 3
     constexpr int most_tenths = 140;
     for (int tenths = 0; tenths <= most_tenths; ++tenths) { set.at.push_back(tenths / 10.0); }
     set.steps.assign(set.at.size(), 0);
@@ -88,7 +88,7 @@ SeriesSet work_precision(const std::vector<BenchRun>& runs) {
         set.telling.push_back(static_cast<int>(set.series.size()));
         set.series.push_back(std::move(series));
     }
-    // only as far as somebody comes
+    // the curves end at the most digits that any method reaches
     while (!set.at.empty() &&
            std::ranges::all_of(set.series, [](const Series& s) { return std::isnan(s.values.back()); })) {
         set.at.pop_back();

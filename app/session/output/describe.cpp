@@ -20,7 +20,7 @@ std::string status_text(EquationRow::Status status) {
         case EquationRow::Status::open: return {};
         case EquationRow::Status::redundant: break;
     }
-    return tr("repeats others");
+    return tr("redundant");
 }
 
 std::string equations_text(const View& view, int width) {
@@ -77,9 +77,10 @@ std::string rank_text(const View& view, int width) {
         text += "  " + wrapped(line, width - 2, 4) + '\n';
     }
     if (rank.near_singular) {
-        text += std::string("  ") +
-                tr("The smallest one that counts is small against the others: near a singular position.") +
-                '\n';
+        text +=
+            std::string("  ") +
+            tr("The smallest nonzero one is small compared with the others: the pose is nearly singular.") +
+            '\n';
     }
     for (const std::string& doubt : rank.doubts) { text += "  " + wrapped(doubt, width - 2, 2) + '\n'; }
     for (const std::string& combination : rank.combinations) {
@@ -89,7 +90,7 @@ std::string rank_text(const View& view, int width) {
     return text;
 }
 
-/// Rounding of a solution of size 1 in m and degrees is shown as what it is: nothing.
+/// A number as text: what is only rounding in a solution of size 1 in m and degrees becomes 0.
 std::string clean_text(double value) {
     constexpr double kRounding = 1e-10;
     return number_text(std::abs(value) < kRounding ? 0.0 : value, 6);
@@ -120,7 +121,7 @@ std::string some_of(const std::vector<std::string>& names) {
     return names.size() > most ? text + ", ..." : text;
 }
 
-/// The question with its choices, or its answer and why.
+/// The question with its choices, or its answer with the reason.
 std::string question_text(const QuestionView& question, int width) {
     std::string text = "  ? " + wrapped(math::plain_words(question.ask), width - 4, 4) + '\n';
     if (!question.answered) {

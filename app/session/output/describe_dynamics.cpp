@@ -35,7 +35,7 @@ std::string lambda_text(const DynamicsView& dynamics) {
         const bool same = owner != nullptr && *owner == m.owner;
         owner = &m.owner;
         table.push_back(
-            {same ? "" : m.owner, m.row, number_text(m.lambda, 6), m.left_out ? tr("repeats others") : ""});
+            {same ? "" : m.owner, m.row, number_text(m.lambda, 6), m.left_out ? tr("redundant") : ""});
     }
     std::vector<TextColumn> columns = columns_of_numbers(4, 2);
     columns[1].right = false;

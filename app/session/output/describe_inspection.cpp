@@ -19,7 +19,7 @@ namespace {
 constexpr int kEntryWidth = 10;
 
 std::string entry_text(double value) {
-    // an empty place is seen at once; a zero that is only rounding is no zero
+    // a dot makes an exact zero visible at once; a value that is only rounding is not an exact zero
     return value == 0.0 ? "·" : number_text(value, 4);
 }
 
@@ -84,7 +84,7 @@ std::vector<std::size_t> rows_of(
     return rows;
 }
 
-/// Φq in blocks of columns that fit the width, owner by owner, without the rows that are zero there.
+/// Φq in blocks of columns that fit the width, owner by owner, without the rows that are zero in the block.
 std::string matrix_text(
     const Inspection& inspection, const std::vector<std::string>& labels, int widest, int width) {
     const std::vector<ColumnName> names = column_names(*inspection.system, inspection.choice);
@@ -147,8 +147,8 @@ std::string redundant_lines(const Inspection& inspection, int width) {
 /// Says of a large system how certain the rank is and how to get the full spectrum.
 std::string without_spectrum_text(const RankReport& rank) {
     return tr(
-        "largest singular value about {0}, smallest one above zero about {1}; zero up to {2}. The others and "
-        "the free motions of so many columns take long: --spectrum computes them.",
+        "largest singular value about {0}, smallest one above zero about {1}; zero up to {2}. With so many "
+        "columns, the others and the free motions take long: --spectrum computes them.",
         number_text(rank.first_value(), 3), small_text(rank.last_value()), small_text(rank.threshold));
 }
 

@@ -15,14 +15,14 @@ namespace jw {
 
 namespace {
 
-/// Shortly before, as long as that is after the start: at the end itself there may be no pose.
+/// Advice to look shortly before the end, if that is after the start: at the end itself there may be no pose.
 std::string look_at(double t) {
     if (t <= 0.0) { return tr("look at that pose with 'jointwise inspect'"); }
     return tr("look at it shortly before, with 'jointwise inspect --time {0}'", number_text(0.99 * t, 3));
 }
 
-/// @param violation by the size of the scene
-/// @param name of the joint or driver that misses what it repeats
+/// @param violation relative to the size of the scene
+/// @param name of the joint or driver whose redundant equation is violated
 std::string what_contradicts(double violation, const Mechanism& mechanism, const std::string& name) {
     const bool is_driver =
         std::ranges::find(mechanism.drivers, name, &Driver::name) != mechanism.drivers.end();
@@ -62,7 +62,7 @@ std::string why_so_many(const SimulationFailure& failure, const SimulationSettin
         text);
 }
 
-/// Nothing to try where they come from the equations of the bodies already.
+/// Advice to use coordinates of the bodies; empty if their equations are used already.
 std::string another_way(const SimulationSettings& settings) {
     const bool of_bodies = settings.formulation == Formulation::bodies && !settings.dense;
     return of_bodies ? "" : tr("'--coordinates bodies' computes them in another way");
@@ -137,8 +137,8 @@ std::string cause_text(
                 "springs implicit-5");
         case SimulationFailure::Cause::turns_lost:
             return tr(
-                "the rotational spring of {0} turns by {1}° within one step, and its turns are counted "
-                "surely up to 90° only; use a step of {2} s or less, or an adaptive method (explicit-8)",
+                "the rotational spring of {0} turns by {1}° within one step, and its turns can be counted "
+                "reliably only up to 90°; use a step of {2} s or less, or an adaptive method (explicit-8)",
                 in_quotes(failure.equation_of), number_text(kDegreesPerRadian * failure.turn, 3),
                 number_text(0.95 * (0.5 * std::numbers::pi / failure.turn) * settings.step, 2));
         case SimulationFailure::Cause::too_many_steps:
@@ -163,7 +163,7 @@ std::string failure_text(
     if (of_start && !failure.of_accelerations) {
         const Story story(lesson, last_pose_only());
         const Step* failed = story.failure();
-        // of joints that do not fit it is told here which numbers of the lesson to look at
+        // for joints that do not fit, the text below says which numbers of the lesson to check
         if (failed != nullptr && subject_of(lesson, *failed)->kind == Addition::Kind::driver) {
             return tr("{0}: {1}", what_failed(lesson, *failed), failure_text(*failed));
         }

@@ -113,7 +113,7 @@ std::string equations_sentence(const Lesson& lesson, const Step& step, const Add
     assembler.assemble_phi_and_jacobian(step.state, step.t);
     const auto size = [&](int row) { return std::abs(assembler.phi()(row)); };
     const int largest = *std::ranges::max_element(rows, {}, size);
-    if (size(largest) < kMet) { return followed(text, tr("At the start estimate they hold already.")); }
+    if (size(largest) < kMet) { return followed(text, tr("The start estimate satisfies them already.")); }
     return followed(
         text, tr("At the start estimate the largest is {0} = {1}.", row_label(system, largest),
                  number_text(assembler.phi()(largest), 3)));
@@ -158,7 +158,7 @@ std::string closing_text(const Step& step) {
             residual = newton->residual;
         }
     }
-    if (iterations == 0) { return tr("Everything holds already: no iteration was needed."); }
+    if (iterations == 0) { return tr("All equations hold already: no iteration was needed."); }
     return tr_count(
         iterations, "{0} Newton iteration closed it; the largest |Φ| left is {1}.",
         "{0} Newton iterations closed it; the largest |Φ| left is {1}.", small_text(residual));
@@ -238,7 +238,7 @@ std::string reactions_text(const Mechanism& m, const Reactions& found) {
            number_text(largest->wrench.force.norm(), 3), name);
     if (found.unique()) { return text; }
     return followed(
-        text, tr("Pale ones are one answer of many: equations that repeat each other leave them open."));
+        text, tr("Pale arrows are one of many solutions: redundant equations leave them undetermined."));
 }
 
 /// What determines the motion at a moment.
@@ -271,9 +271,9 @@ std::string change_point_text(const RankReport& rank) {
     return tr_count(
         rank.columns,
         "a change point, or very near one. Of {0} column {1} are independent here, the last of them with a "
-        "singular value of {2}. The motion goes on along the tangent on which it came.",
+        "singular value of {2}. The motion continues along its tangent.",
         "a change point, or very near one. Of {0} columns {1} are independent here, the last of them with a "
-        "singular value of {2}. The motion goes on along the tangent on which it came.",
+        "singular value of {2}. The motion continues along its tangent.",
         rank.rank, number_text(rank.last_value(), 2));
 }
 
@@ -286,7 +286,7 @@ std::string motion_sentence(const Lesson& lesson, const Step& step, const RankRe
         text = followed(text, reactions_text(lesson.mechanism, *reactions));
     }
     if (step.rows_switched) {
-        text = followed(text, tr("On the way here another choice of p1 and p2 equations was made."));
+        text = followed(text, tr("On the way here, another pair of p1 and p2 equations was chosen."));
     }
     if (!step.note.empty()) { text = followed(text, tr("Note: {0}.", step.note)); }
     return text;
@@ -321,7 +321,7 @@ std::string sentence_of(const Lesson& lesson, const Step& step, const RankReport
         case Step::Kind::assembled: return assembled_sentence(lesson, step, *subject, rank);
         case Step::Kind::failed: return tr("{0}. The last good pose is kept.", what_failed(lesson, step));
         case Step::Kind::question: return tr("Predict, then see.");
-        case Step::Kind::answer: return tr("This is what came out.");
+        case Step::Kind::answer: return tr("This is the result.");
         case Step::Kind::motion: break;
     }
     if (step.failed()) { return tr("{0}. This is the last good pose.", what_failed(lesson, step)); }
@@ -342,8 +342,8 @@ std::string once_assembled_text(int here, int once) {
     }
     const int fewer = here - once;
     return tr_count(
-        fewer, "Rank {1} here, {2} once assembled: {3} row repeats others at the solution only.",
-        "Rank {1} here, {2} once assembled: {3} rows repeat others at the solution only.", here, once,
+        fewer, "Rank {1} here, {2} once assembled: {3} row is redundant at the solution only.",
+        "Rank {1} here, {2} once assembled: {3} rows are redundant at the solution only.", here, once,
         number_word(fewer));
 }
 

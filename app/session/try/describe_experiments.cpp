@@ -18,21 +18,21 @@ constexpr int kVerdictWidth = 21;
 
 std::string summary_of(const Effect& e) {
     return tr(
-        "{0}, rank {1}, {2}, {3} repeated, condition {4}", tr_count(e.rows, "{0} equation", "{0} equations"),
+        "{0}, rank {1}, {2}, {3} redundant, condition {4}", tr_count(e.rows, "{0} equation", "{0} equations"),
         e.rank, tr_count(e.dof, "{0} freedom", "{0} freedoms"), e.redundant(), number_text(e.condition, 3));
 }
 
-/// One table through all groups, each under its title: as wide as the widest text of any.
+/// Columns that are the same for all groups: as wide as the widest text of any group.
 std::vector<TextColumn> columns_for(int widest) {
     const TextColumn number{true, 10, 0};
     return {{false, widest, 2}, number, number, number, number, {false, 0, 2}};
 }
 
 std::vector<std::string> cells(const PossibleExperiment& e) {
-    // geometry has no effect yet: it is as it is
+    // geometry has no effect yet: it is listed as it is
     if (!e.effect) { return {e.text, e.now ? tr("as it is") : ""}; }
     const std::string note = e.now ? tr("as it is") : "";
-    const std::string price = e.free ? tr("costs no rank") : "";
+    const std::string price = e.free ? tr("keeps the rank") : "";
     return {
         e.text,
         std::to_string(e.effect->rank),
@@ -70,8 +70,8 @@ std::string motions_text(const PossibleExperiments& all) {
 }
 
 std::string repeated_text(const PossibleExperiments& all) {
-    if (all.combinations.empty()) { return std::string(tr("No equation repeats others.")) + "\n\n"; }
-    std::string text = std::string(tr("Equations that repeat each other")) + '\n';
+    if (all.combinations.empty()) { return std::string(tr("No equation is redundant.")) + "\n\n"; }
+    std::string text = std::string(tr("Redundant equations")) + '\n';
     for (const std::string& combination : all.combinations) {
         text += "  " + wrapped(combination, kWidth - 2, 4) + '\n';
     }
@@ -109,10 +109,10 @@ Json json_of(const ExperimentGroup& group) {
 ExperimentsText::ExperimentsText(const PossibleExperiments& outline, const Lesson& lesson)
     : widest_(widest_of(outline.coordinates)) {
     for (const ExperimentGroup& group : outline.groups) { widest_ = std::max(widest_, widest_of(group)); }
-    head_ =
-        lesson.title + '\n' +
-        tr("{0} (step {1}): {2}", outline.moment, outline.step, summary_of(outline.present)) + "\n\n" +
-        text_table({{"", tr("rank"), tr("freedoms"), tr("repeated"), tr("condition")}}, columns_for(widest_));
+    head_ = lesson.title + '\n' +
+            tr("{0} (step {1}): {2}", outline.moment, outline.step, summary_of(outline.present)) + "\n\n" +
+            text_table(
+                {{"", tr("rank"), tr("freedoms"), tr("redundant"), tr("condition")}}, columns_for(widest_));
 }
 
 std::string ExperimentsText::group(const ExperimentGroup& group) const { return group_text(group, widest_); }

@@ -80,7 +80,7 @@ TimeFunction without_minus_zeros(TimeFunction f) {
     return f;
 }
 
-/// Whether it says numbers of its own; others choose from what a lesson can say.
+/// True if it has numbers of its own; other experiments choose from what a lesson can say.
 bool says_numbers(const Experiment& experiment) {
     return std::holds_alternative<SetGeometry>(experiment) || std::holds_alternative<SetDriver>(experiment) ||
            std::holds_alternative<SetPose>(experiment);
@@ -123,11 +123,12 @@ public:
         const std::string name = name_of(lesson_, a.what);
         const bool is_present = std::ranges::find(lesson_.order, a.what) != lesson_.order.end();
         if (is_present == a.present) {
-            return refused(is_present ? tr("{0} is there already", name) : tr("{0} is out already", name));
+            return refused(
+                is_present ? tr("{0} is already present", name) : tr("{0} is already taken out", name));
         }
         if (a.present) { return put_back(a.what, name); }
         std::erase(lesson_.order, a.what);
-        // a motor goes with the joint that it sits on
+        // a driver is taken out with the joint that it drives
         std::erase_if(lesson_.order, [&](const Addition& other) {
             return a.what.kind == Addition::Kind::joint && joint_driven_by(other) == a.what.index;
         });
@@ -222,7 +223,7 @@ private:
         return lesson_.mechanism.drivers[static_cast<std::size_t>(addition.index)].joint;
     }
 
-    /// Behind whatever the author has before it.
+    /// Puts it after everything that the author has before it.
     Edit put_back(const Addition& what, const std::string& name) {
         const Addition its_joint{Addition::Kind::joint, joint_driven_by(what)};
         if (its_joint.index >= 0 && std::ranges::find(lesson_.order, its_joint) == lesson_.order.end()) {
@@ -279,14 +280,14 @@ std::vector<Experiment> moves_to(const State& state, const Lesson& lesson) {
     Mechanism moved = lesson.mechanism;
     for (std::size_t b = 0; b < moved.bodies.size(); ++b) {
         Body& body = moved.bodies[b];
-        // a pose in hand has every p made unit, which is no motion
+        // a pose in hand has every p normalised, which is not a motion
         const double turned = (body.p - state.p[b]).cwiseAbs().maxCoeff();
         if (body.fixed || (body.r == state.r[b] && turned <= kUnitUpToRounding)) { continue; }
         body.r = state.r[b];
         body.p = state.p[b];
         moves.emplace_back(SetPose{static_cast<int>(b), body.r, body.p});
     }
-    // θ that is not given is measured, and need not be told where that comes to the same
+    // a θ that is not given is measured; it need not be given if it equals the measured one
     const std::vector<double> measured = start_state(moved).theta;
     const std::vector<int> thetas = moved.theta_indices();
     for (std::size_t j = 0; j < moved.joints.size(); ++j) {

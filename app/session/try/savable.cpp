@@ -25,7 +25,7 @@ std::string mistake_in(const Lesson& lesson) {
 std::string why_not_savable(const Lesson& changed, const Lesson& before) {
     const std::string mistake = mistake_in(changed);
     if (mistake.empty() || !mistake_in(before).empty()) { return {}; }
-    return tr("no lesson can say that: {0}", mistake);
+    return tr("this cannot be written as a lesson: {0}", mistake);
 }
 
 }  // namespace jw

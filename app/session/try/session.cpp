@@ -12,10 +12,10 @@ namespace jw {
 
 namespace {
 
-// a person remembers less
+// more than a person remembers
 constexpr std::size_t kMostHistory = 200;
 
-/// Edits of one kind on one thing, as while a slider is dragged, are one change.
+/// Identifies edits of one kind on one thing: while a slider is dragged, all of them are one change.
 std::size_t gesture_of(const Experiment& experiment) {
     const std::size_t kind = experiment.index() + 1;
     if (const auto* a = std::get_if<SetGeometry>(&experiment)) {
@@ -119,7 +119,7 @@ std::string Session::perform(const StartOver& /*experiment*/) {
     edits_.clear();
     push_past(std::move(past));
     gesture_ = 0;
-    return tr("The lesson is as it was written.");
+    return tr("All changes are undone.");
 }
 
 void Session::leave_hand() {
@@ -162,7 +162,7 @@ std::string Session::step_back_in_history(std::vector<Past>& from, std::vector<P
     to.push_back(std::move(now));
     index_ = std::min(past.index, static_cast<int>(story_->steps().size()) - 1);
     changed();
-    return &from == &undo_ ? tr("Undone: {0}", past.what) : tr("Done again: {0}", past.what);
+    return &from == &undo_ ? tr("Undone: {0}", past.what) : tr("Redone: {0}", past.what);
 }
 
 void Session::replace(Lesson lesson) {
@@ -180,7 +180,7 @@ void Session::become(Session&& other, std::string what) {
     how_ = other.how_;
     written_ = std::move(other.written_);
     story_ = std::move(other.story_);
-    lesson_ = std::move(other.lesson_);  // the story before looked into the one before
+    lesson_ = std::move(other.lesson_);  // after the story: the old story refers to the old lesson
     edits_ = std::move(other.edits_);
     index_ = other.index_;
     gesture_ = 0;
@@ -208,7 +208,8 @@ const std::vector<std::string>& Session::tried() const {
     return *cache_->tried;
 }
 
-/// All or nothing: a lesson that cannot be told, for want of memory for example, leaves everything as it was.
+/// All or nothing: if a lesson cannot be told, for example because there is not enough memory, everything
+/// stays as it was.
 void Session::take_over(std::shared_ptr<const Lesson> lesson) {
     ToldLesson told = tell_(std::move(lesson), how_);
     auto story = std::make_unique<Story>(std::move(told.story));
@@ -220,7 +221,7 @@ void Session::take_over(std::shared_ptr<const Lesson> lesson) {
     }
     hand_.reset();
     story_ = std::move(story);
-    lesson_ = std::move(told.lesson);  // the story before looked into the one before
+    lesson_ = std::move(told.lesson);  // after the story: the old story refers to the old lesson
     told_anew();
 }
 
@@ -263,8 +264,8 @@ std::string Session::drag(const Drag& drag) {
     return outcome.blocked ? tr("The equations hold {0} in this direction.", body.name) : std::string();
 }
 
-/// A driven mechanism goes its way: the hand leads it to the moment where the point is nearest to the target,
-/// found by walking from the present one, so that it does not jump to another part of the path.
+/// Drags a driven mechanism along its motion, to the moment where the point is nearest to the target. The
+/// search walks from the present moment, so that the point does not jump to another part of its path.
 std::string Session::scrub(const Drag& drag) {
     const auto body = static_cast<std::size_t>(drag.body);
     const auto distance = [&](int k) {

@@ -10,7 +10,7 @@ namespace jw {
 
 namespace {
 
-/// Freedoms of what is put together at the end of a story.
+/// Freedoms of what is assembled at the end of a story.
 int freedoms_of(const Story& story) {
     const Step& step = story.steps()[static_cast<std::size_t>(story.last_assembled())];
     return (step.rank ? *step.rank : rank_of(*step.system, step.state, step.t)).dof;
@@ -38,7 +38,7 @@ ClaimResult result_of(const Trial& trial, const Lesson& lesson) {
     result.why = math::plain_words(trial.text);
     result.moment = "try";
     result.expected = trial.breaks ? tr("breaks the scene: it fails, or has more freedoms")
-                                   : tr("can be carried out and goes to its end");
+                                   : tr("can be carried out, and the lesson still runs to its end");
     Session session(lesson);
     const int freedoms_before = trial.breaks ? freedoms_of(session.story()) : 0;
     for (const std::string& action : trial.actions) {

@@ -18,7 +18,7 @@ std::string subscript_number(std::size_t number) {
     return text;
 }
 
-/// "sleeve p1, p2: drop x" for each joint whose choice is another one than in `before`; no text if none is.
+/// "sleeve p1, p2: drop x" for each joint whose choice differs from that in `before`; no text if none does.
 Mark switches_between(const System& before, const System& now) {
     struct Switch {
         int joint = 0;
@@ -198,14 +198,14 @@ SeriesSet condition_series(const Story& story, int joint) {
         }
         before = step.system.get();
     }
-    // the rows of p1; those of p2 contain a unit of length, but are chosen by the same axis
+    // the rows of p1; the same axis chooses those of p2, whose condition depends on a unit of length
     set.telling = series::all_of(set);
     if (set.telling.size() > 4) { set.telling.resize(4); }
     if (set.series.empty()) {
         set.at.clear();
         set.steps.clear();
         if (set.why_empty.empty()) {
-            set.why_empty = tr("This joint has no p1 or p2: nothing is left out of it.");
+            set.why_empty = tr("This joint has no p1 or p2: none of its equations is left out.");
         }
     }
     return set;
@@ -216,7 +216,7 @@ std::vector<Vec3> axis_directions(const Story& story, int joint, int last) {
     std::vector<Vec3> directions;
     for (int k = 0; k <= last; ++k) {
         const Step& step = story.steps()[static_cast<std::size_t>(k)];
-        if (is_asked(step.kind)) { continue; }  // nothing moves by asking
+        if (is_asked(step.kind)) { continue; }  // a question does not move anything
         const std::vector<int>& present = step.system->selection().joints;
         if (std::ranges::find(present, joint) == present.end()) { continue; }
         const Mat3 A = rotation_matrix(step.state.p[static_cast<std::size_t>(axis.body_i)]);

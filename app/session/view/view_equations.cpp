@@ -45,7 +45,7 @@ std::string reason_of_rule(const RowChoice& choice, const ChoiceView& view) {
         condition_of(dropped, view));
 }
 
-/// "x and y", "a", of bits.
+/// "x and y" or "a", from bits.
 std::string components_of(unsigned mask, ParallelForm form) {
     constexpr std::array pair{"a", "b"};
     std::vector<std::string> names;
@@ -56,7 +56,7 @@ std::string components_of(unsigned mask, ParallelForm form) {
     return listed(names);
 }
 
-/// Reason for equations that `without` takes out, whichever of the others the form leaves out.
+/// Reason for equations that `without` takes out, in addition to those that the form leaves out.
 std::string reason_of_taken_out(const RowChoice& choice, const ChoiceView& view) {
     const unsigned all = choice.form == ParallelForm::pair ? 0b11U : 0b111U;
     const unsigned dropped = choice.dropped >= 0 ? 1U << choice.dropped : 0U;
@@ -66,7 +66,7 @@ std::string reason_of_taken_out(const RowChoice& choice, const ChoiceView& view)
         std::popcount(choice.taken_out), "The lesson takes out the equation {1}",
         "The lesson takes out the equations {1}", out);
     if ((dropped & ~choice.taken_out) != 0) {
-        text = tr("{0}, and {1} is left out besides", text, components_of(dropped, choice.form));
+        text = tr("{0}, and {1} is left out as well", text, components_of(dropped, choice.form));
     }
     if (kept == 0) { return tr("{0}: none is kept.", text); }
     const std::string left = components_of(kept, choice.form);

@@ -64,8 +64,8 @@ std::optional<Vec3> axis_in(const Joint& joint, int body) {
     return std::nullopt;
 }
 
-/// "In body 'ground' the axes of A and D are 0.0573° apart", of all pairs that look as if they were meant to
-/// be parallel and are not; empty if there are none, or so many that none is the odd one.
+/// "In body 'ground' the axes of A and D are 0.0573° apart", for all pairs that seem to be meant parallel and
+/// are not; empty if there are none, or too many to single out one.
 std::string tilted_axes_text(const System& system, const std::vector<int>& joints) {
     constexpr std::size_t most = 2;
     const Mechanism& m = system.mechanism();
@@ -105,18 +105,19 @@ std::string joints_text(const System& system, const PositionFailure& failure) {
         c.role == Role::axes_parallel ? tilted_axes_text(system, c.joints) : std::string();
     if (!tilted.empty()) {
         return followed(
-            text, tr("Check the axes: {0}. A spherical and a cylindrical joint in place of two hinges would "
-                     "not ask for that.",
+            text, tr("Check the axes: {0}. A spherical and a cylindrical joint instead of two hinges would "
+                     "not require that.",
                      tilted));
     }
     return followed(
-        text, one ? tr("Check lengths, points and axes of it.")
+        text, one ? tr("Check its lengths, points and axes.")
                   : tr("Check lengths, points and axes of these joints."));
 }
 
-/// "62.25°" of what a driver prescribes, to a hundredth of the gap: the fit that found it is no better.
+/// The value of a driver's measure, "62.25°", to a hundredth of the gap: the fit that found it is not more
+/// accurate.
 std::string measure_text(const Driver& driver, double value, double gap) {
-    constexpr int digits = 9;  // of two that differ little
+    constexpr int digits = 9;  // enough for two values that differ little
     const Unit unit = unit_of(driver.measure);
     const double factor = unit == Unit::radian ? kDegreesPerRadian : 1.0;
     const double step =
@@ -157,7 +158,7 @@ std::string cannot_close_text(const System& system, const PositionFailure& failu
                                                       : drivers_text(system, failure);
     }
     const std::string text =
-        tr("The equations cannot be met together at t = {0} s: the closest fit leaves {1} off by {2}.",
+        tr("The equations cannot all be satisfied at t = {0} s: the closest fit leaves {1} off by {2}.",
            moment_of(failure), row_label(system, failure.row), small_text(failure.value));
     return followed(
         text, system.drivers().empty()
@@ -169,11 +170,10 @@ std::string cannot_close_text(const System& system, const PositionFailure& failu
 std::string singular_text(const System& system, const PositionFailure& failure) {
     const std::string text =
         failure.residual >= kHolds
-            ? tr("The way at t = {0} s leads through a singular position, where equations lose their "
-                 "independence ({1} is off by {2} there).",
+            ? tr("At t = {0} s the motion reaches a singular position, where equations become dependent ({1} "
+                 "is off by {2} there).",
                  moment_of(failure), row_label(system, failure.row), small_text(failure.value))
-            : tr("The way at t = {0} s leads through a singular position, where equations lose their "
-                 "independence.",
+            : tr("At t = {0} s the motion reaches a singular position, where equations become dependent.",
                  moment_of(failure));
     return followed(
         text, system.drivers().empty()
@@ -183,7 +183,7 @@ std::string singular_text(const System& system, const PositionFailure& failure) 
 
 std::string turning_point_text(const System& system, const PositionFailure& failure) {
     constexpr double digits_of = 1e-3;  // rad or m: four decimals of a degree
-    // proved where one driver moves alone; where it ends, another may begin
+    // proved if one driver moves alone; where it ends, another may begin
     const DriverConstraint* moving = only_moving_driver(system, failure.t);
     const Driver& driver = driver_at(system, (moving != nullptr ? *moving : system.drivers().front()).driver);
     return followed(
@@ -220,11 +220,10 @@ std::string no_convergence_text(const System& system, const PositionFailure& fai
                  "the equations, but this pose does not lead there.",
                  moment_of(failure), within);
     return followed(
-        text, system.drivers().empty()
-                  ? tr("Whether there is a pose that meets all equations is not known; a start pose nearer "
-                       "to it may help.")
-                  : tr("Whether there is a pose that meets all equations is not known; a start pose nearer "
-                       "to it or a slower driver may help."));
+        text, system.drivers().empty() ? tr("It is not known whether a pose satisfies all equations; a start "
+                                            "pose nearer to one may help.")
+                                       : tr("It is not known whether a pose satisfies all equations; a start "
+                                            "pose nearer to one, or a slower driver, may help."));
 }
 
 std::string wrong_branch_text(const System& system, const PositionFailure& failure) {

@@ -138,7 +138,7 @@ function surviveLostContext(program, loop) {
   canvas.addEventListener("webglcontextlost", (event) => {
     event.preventDefault();
     program.loseContext();
-    toast("The graphics card was taken away; waiting for it.");
+    toast("The graphics card is not available at the moment; waiting for it.");
   });
   canvas.addEventListener("webglcontextrestored", () => {
     const why = program.restoreContext();
@@ -275,7 +275,7 @@ function listenToButtons({ program, loop, address }) {
   $("link").addEventListener("click", async () => {
     address.follow(program.state());
     await copy(location.href);
-    toast("The link to what you see is in the clipboard.");
+    toast("A link to what you see was copied.");
   });
   $("full").addEventListener("click", () => {
     if (document.fullscreenElement) { document.exitFullscreen(); } else { document.documentElement.requestFullscreen(); }
@@ -343,12 +343,12 @@ async function begin() {
       program.keepUnsaved();
       if (!keepFolder(module.FS, "/kept") && !lossTold) {
         lossTold = true;
-        toast("The browser keeps nothing more: its storage is full or forbidden. Save what you need as a file.");
+        toast("The browser cannot store more: its storage is full or not allowed. Save what you need as a file.");
       }
       // fonts are read when the program begins
       if (lacksLetters(state.language)) {
         letters.asked = true;
-        toast("The letters of this language are shown once the page is read again.");
+        toast("Reload the page to see the letters of this language.");
       }
     }, 200);
   });

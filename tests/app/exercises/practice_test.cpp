@@ -292,7 +292,7 @@ TEST_CASE(
     folder.write("mine.py", "mine");
     write_starter(*practice.task(), folder.path() / "mine.py");
     CHECK(bytes_of(folder.path() / "mine.py") == "mine");
-    CHECK(write_starter(*practice.task(), folder.path() / "mine").find("Name a file") == 0);
+    CHECK(write_starter(*practice.task(), folder.path() / "mine").find("Type the name of a file") == 0);
     practice.check_program(folder.path() / "mine.py");
     CHECK_FALSE(practice.verdict()->judged.understood);
 }

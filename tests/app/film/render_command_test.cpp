@@ -144,7 +144,7 @@ TEST_CASE("Options of render that make no sense together say so", "[film][render
         std::string says;
     };
     const std::vector<Case> cases{
-        {{"--out", "x.mp4", "--loop"}, "--loop is of .gif and .apng"},
+        {{"--out", "x.mp4", "--loop"}, "--loop is only for .gif and .apng"},
         {{"--out", "x", "--loop"}, "--loop and --no-tween are of films"},
         {{"--out", "x", "--transparent"}, "--transparent needs --no-panel"},
         {{"--out", "x.gif", "--transparent", "--no-panel"}, "this format has no transparency"},

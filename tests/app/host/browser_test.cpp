@@ -139,7 +139,7 @@ TEST_CASE("A lesson of one's own stands first among those opened last, and one w
     REQUIRE(entries.size() == shipped + 2);
     CHECK_FALSE(entries[0].error.empty());
     CHECK(entries[1].error.empty());
-    CHECK(entries[1].chapter == "Opened last");
+    CHECK(entries[1].chapter == "Recent");
 }
 
 TEST_CASE("Another lesson brings its own numbers to all tabs") {

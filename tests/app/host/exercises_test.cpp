@@ -171,11 +171,11 @@ TEST_CASE(
     REQUIRE_FALSE(mistakes.empty());
     student.answer(mistakes.front().handed.text);
     CHECK(tells("In the field: " + mistakes.front().handed.text));
-    CHECK(tells("Not so: "));
+    CHECK(tells("Not correct: "));
     CHECK(tells("These entries differ: "));
     student.person.ask(Command::exercise_anew);
     student.wait();
-    CHECK_FALSE(tells("Not so"));
+    CHECK_FALSE(tells("Not correct"));
     student.answer(student.right());
     CHECK(tells("Right."));
     student.person.ask(Command::exercise_solution);

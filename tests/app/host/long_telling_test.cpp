@@ -49,11 +49,11 @@ Session read_at_once(const std::filesystem::path& path) { return Session(*read_l
 
 /// Does what needs a story, and waits for it. @return number of stories that were told beside the pictures
 int stories_told(Person& person, const std::function<void()>& act) {
-    const int before = person.host().stories_told_beside();
+    const int before = person.host().stories_begun_in_background();
     act();
     person.host().wait_for_story();
     CHECK_FALSE(person.host().is_telling());
-    return person.host().stories_told_beside() - before;
+    return person.host().stories_begun_in_background() - before;
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST_CASE("What was tried before another lesson was opened stays, and is offered
     const std::vector<std::string> chapters = chapters_of(person);
     REQUIRE(chapters.size() > 2);
     CHECK(chapters[0] == "Not saved");
-    CHECK(chapters[1] == "Opened last");
+    CHECK(chapters[1] == "Recent");
     // what is being tried just now is not offered to itself
     CHECK(
         std::ranges::count(person.host().shelf().entries(), "Not saved", &host::CatalogueEntry::chapter) ==

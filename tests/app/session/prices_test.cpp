@@ -58,9 +58,9 @@ TEST_CASE("The price of a digit is the cheapest run that has it, of runs that re
     CHECK(std::isnan(prices.rows[2].finest));
     CHECK(
         prices.summary ==
-        "1e-3 m: explicit-5 in 2 ms, 1.5 times ahead of explicit-8. "
-        "1e-6 m: explicit-8 in 4 ms, 2.2 times ahead of explicit-5. "
-        "1e-9 m: explicit-8 in 5 ms, alone. ");
+        "1e-3 m: explicit-5 in 2 ms, 1.5 times as fast as explicit-8. "
+        "1e-6 m: explicit-8 in 4 ms, 2.2 times as fast as explicit-5. "
+        "1e-9 m: explicit-8 in 5 ms; no other method reached it. ");
     CHECK(prices_of({}).summary.empty());
     CHECK_FALSE(prices_of({}).curves.why_empty.empty());
 }

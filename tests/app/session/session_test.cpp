@@ -111,7 +111,7 @@ TEST_CASE("a history of many edits leads back through every lesson it went throu
             CHECK(lesson_text(session.lesson()) == lessons[k]);
         }
         CHECK(session.apply(Redo{}) == "There is nothing to redo.");
-        CHECK(session.apply(StartOver{}) == "The lesson is as it was written.");
+        CHECK(session.apply(StartOver{}) == "All changes are undone.");
         CHECK(lesson_text(session.lesson()) == lessons[0]);
         session.apply(Undo{});
         CHECK(lesson_text(session.lesson()) == lessons.back());
