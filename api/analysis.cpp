@@ -4,7 +4,7 @@
 #include "api/inside.hpp"
 #include "jointwise/evaluator.hpp"
 
-/// Each function makes an Evaluator for the pose that it is given, and asks it once.
+/// Each function makes an Evaluator for its pose, and uses it once.
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
 

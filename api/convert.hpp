@@ -3,7 +3,7 @@
 #include "core/equations/system.hpp"
 #include "jointwise/analysis.hpp"
 
-/// States and motions of core as those of the library, and back.
+/// Conversion of core's states and motions to those of the library, and back.
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
 
@@ -18,7 +18,7 @@ void read_motion(const jw::Mechanism& mechanism, const Rates& rates, jw::Motion&
 jw::State state_of(const jw::Mechanism& mechanism, const Pose& pose);
 jw::Motion motion_of(const jw::Mechanism& mechanism, const Rates& rates);
 
-/// A number in messages, six digits of it.
+/// A number for messages, with six digits.
 std::string number_text(double value);
 
 /// "hinge.p1.y", the name of a row.

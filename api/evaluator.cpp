@@ -42,7 +42,7 @@ NotReached contradicted(
         " s contradict each other; the largest residual is that of " + row_name(system, verdict.worst_row));
 }
 
-/// Names of the columns of one moving body, behind its own name and a dot.
+/// Names of the columns of one moving body, without the body's name and the dot.
 std::vector<std::string> words_of_body(Coordinates coordinates) {
     switch (coordinates) {
         case Coordinates::omega_local:
@@ -97,7 +97,7 @@ struct Evaluator::Inside {
         for (int row = 0; row < rows; ++row) { names.push_back(row_name(system, row)); }
     }
 
-    /// Velocities and accelerations are those of (r, ω'), whatever the coordinates.
+    /// Velocities and accelerations are those of (r, ω'), whatever the chosen coordinates.
     jw::Kinematics<jw::OmegaLocal>& kinematics_at(const Pose& pose) {
         read_state(data(), pose, state);
         if (!kinematics) { kinematics.emplace(system); }

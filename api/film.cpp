@@ -66,7 +66,7 @@ jw::StoryOptions moments_of(const jw::Lesson& lesson, double fps) {
     return how;
 }
 
-/// Panels have one context of ImGui for all threads.
+/// All threads share one context of ImGui for the panels.
 std::mutex& one_at_a_time() {
     static std::mutex mutex;
     return mutex;

@@ -4,7 +4,7 @@
 #include "core/motion/loads.hpp"
 #include "jointwise/mechanism.hpp"
 
-/// Contents of the classes of the library; programs that use it see names only.
+/// Contents of the library's classes; programs that use the library see only their names.
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
 

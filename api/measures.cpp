@@ -34,7 +34,7 @@ std::string unit_of(const jw::NamedQuantity& named) {
     return (symbol.empty() ? "1" : symbol) + per;
 }
 
-/// Masses and forces, if every moving body has a mass.
+/// Masses and forces, if every moving body has a mass; otherwise nothing.
 std::shared_ptr<jw::Centroidal> scene_of(const Mechanism::Inside& inside) {
     for (std::size_t b = 0; b < inside.mechanism.bodies.size(); ++b) {
         if (!inside.mechanism.bodies[b].fixed && !inside.loads.masses[b]) { return nullptr; }
@@ -78,7 +78,7 @@ struct Quantities::Inside {
     /// @param values  [names]
     void evaluate(jw::Instant instant, const std::shared_ptr<const jw::Centroidal>& now, double* values) {
         system.choose_rows(instant.state);
-        // the system is no longer asked when this returns
+        // the system is not used any more after this returns
         instant.system = {std::shared_ptr<const void>(), &system};
         instant.scene = now;
         for (const jw::NamedQuantity& q : list) {
@@ -128,7 +128,7 @@ Eigen::VectorXd Quantities::at(const Moment& moment) const {
 
 Table Quantities::along(const Trajectory& trajectory) const {
     Table table(trajectory.times(), static_cast<Eigen::Index>(inside_->list.size()));
-    // a scene of its own, which counts turns
+    // a separate scene, which counts turns
     const auto scene = inside_->scene ? std::make_shared<jw::Centroidal>(*inside_->scene) : nullptr;
     jw::FollowedAngles angles(inside_->data());
     for (int k = 0; k < trajectory.times(); ++k) {

@@ -19,7 +19,7 @@ namespace {
 /// Share of the smaller side that stays free around the mechanism.
 constexpr double kMargin = 0.08;
 
-/// The lesson at rest in a pose: all joints are there, and neither drivers nor motion move it from there.
+/// The lesson at rest in a pose: all joints are present, and neither drivers nor a motion move it.
 jw::Lesson still_of(jw::Lesson lesson, const Pose& pose) {
     const jw::State state = state_of(lesson.mechanism, pose);
     for (std::size_t b = 0; b < lesson.mechanism.bodies.size(); ++b) {
@@ -31,7 +31,7 @@ jw::Lesson still_of(jw::Lesson lesson, const Pose& pose) {
         if (thetas[j] < 0) { continue; }
         lesson.mechanism.joints[j].geometry.theta_start = state.theta[static_cast<std::size_t>(thetas[j])];
     }
-    // a driver has its value at its own time, and what was said of it is gone with it
+    // a driver has its value only at its own time; texts and questions about it are removed, too
     lesson.mechanism.drivers.clear();
     lesson.motion.reset();
     lesson.dynamics.reset();
@@ -47,7 +47,7 @@ Image drawn(const jw::Lesson& lesson, int width, int height) {
     const render::SceneRenderer renderer(surface.gl());
     surface.begin_3d();
     renderer.draw(still.picture().scene, still.camera(all, safe), all, surface.targets());
-    surface.begin_2d();  // the samples of a pixel become one
+    surface.begin_2d();  // merges the samples of each pixel
     render::Image image = surface.read();
     return {image.width, image.height, std::move(image.rgb)};
 }

@@ -39,7 +39,7 @@ void write_pose(const Pose& pose, double* out) {
     for (const double theta : pose.theta) { *out++ = theta; }
 }
 
-/// Writes moments into one row after the other.
+/// Writes each moment into the next row.
 Receive writer_of(Trajectory& trajectory) {
     return [&trajectory, row = Eigen::Index{0}](const Moment& moment) mutable {
         trajectory.t(row) = moment.pose.t;

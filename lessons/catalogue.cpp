@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 fs::path catalogue_folder() {
     const char* chosen = std::getenv("JOINTWISE_LESSONS");
     if (chosen != nullptr && *chosen != '\0') { return chosen; }
-    // in a build tree `lessons` is a link to the sources, which people know by their own name
+    // in a build tree, `lessons` is a link to the sources; people know the path of the sources
     const fs::path lessons = data_folder() / "lessons";
     std::error_code error;
     const fs::path real = fs::canonical(lessons, error);

@@ -13,11 +13,12 @@
 /// Claim for every fact in it.
 namespace jw {
 
-/// Moment at the state of the file, nothing assembled; all joints and drivers take part.
+/// The state of the file, not assembled; all joints and drivers take part.
 struct AsGiven {
     bool operator==(const AsGiven&) const = default;
 };
-/// When the first `count` entries of Lesson::order have been added and assembled, at the motion's first time.
+/// After the first `count` entries of Lesson::order have been added and assembled, at the motion's first
+/// time.
 struct AfterAddition {
     int count = 0;
 
@@ -26,11 +27,11 @@ struct AfterAddition {
 /// During the motion [s].
 struct AtTime {
     double t = 0.0;
-    bool by_forces = false;  ///< of the motion by masses and forces, not of [motion]
+    bool by_forces = false;  ///< in the motion by masses and forces, not in [motion]
 
     bool operator==(const AtTime&) const = default;
 };
-/// In any state of the bodies, assembled or not: what always holds is asked for in random ones.
+/// In any state of the bodies, assembled or not: what always holds is tested in random states.
 struct AnyState {
     bool operator==(const AnyState&) const = default;
 };
@@ -64,9 +65,9 @@ struct VerdictClaim {
 struct QuantityClaim {
     Quantity quantity;
     std::string text;          ///< as the author wrote it, "hinge.angle"
-    int derivative = 0;        ///< 0, 1, 2 with respect to time
-    int named_derivative = 0;  ///< as much of it is in the name: 1 for "hinge.angle_dot"
-    bool in_degrees = false;   ///< the author wrote degrees: messages should too
+    int derivative = 0;        ///< order of the derivative with respect to time: 0, 1, 2
+    int named_derivative = 0;  ///< the part of this order that is in the name: 1 for "hinge.angle_dot"
+    bool in_degrees = false;   ///< the author wrote degrees, so messages use them too
     double value = 0.0;        ///< SI, radians
     double tolerance = 0.0;    ///< SI, radians; > 0. Angles are compared modulo a turn, θ of a screw is not
 };

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "JW";
 
-// looked up by its enumerator, and listed by its number
+// codes are looked up by enumerator and listed by number
 constexpr bool codes_are_in_order() {
     for (std::size_t k = 0; k < kCodes.size(); ++k) {
         if (kCodes[k].code != static_cast<Code>(k)) { return false; }

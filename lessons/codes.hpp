@@ -83,10 +83,10 @@ enum class Code {
     exercise_variant,
 };
 
-/// What is said of a code wherever it stands.
+/// A code with its printed name and its title, the same everywhere.
 struct CodeEntry {
     Code code;
-    std::string_view printed;  ///< behind messages and on the command line
+    std::string_view printed;  ///< at the end of messages and on the command line
     std::string_view title;
 };
 

@@ -24,7 +24,7 @@ bool is_in(const Names& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-/// One folder or file, and no way to another.
+/// True for the name of one folder or file, false for a path.
 bool is_plain_name(const std::string& name) {
     return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
 }
@@ -41,7 +41,7 @@ Names folders_in(const fs::path& folder) {
     return names;
 }
 
-/// @param folder  that chapters are in; empty: not asked
+/// @param folder  contains the folders of the chapters; empty: this is not checked
 std::string name_in(Fields& fields, const Names& before, const fs::path& folder) {
     fields.require("name", "the name of the chapter's folder");
     const auto name = fields.text("name");
@@ -127,7 +127,7 @@ Course course_in(Fields& root, const fs::path& folder) {
 /// The courses around lessons, each read once.
 class Courses {
 public:
-    /// @param highest  no folder above this one is looked into
+    /// @param highest  folders above this one are not searched
     explicit Courses(fs::path highest) : highest_(std::move(highest)) {}
 
     /// The nearest folder at or above `folder` with a course; empty if there is none.
@@ -140,7 +140,7 @@ public:
 
     const CourseRead& of(const fs::path& folder) {
         const auto [entry, is_new] = read_.try_emplace(folder);
-        // around a chapter alone the others need not be there
+        // where only one chapter is read, the other chapters need not exist
         const auto chapters = folder == highest_ ? ChapterFolders::not_asked : ChapterFolders::must_be_there;
         if (is_new) { entry->second = read_course_of(folder, chapters); }
         return entry->second;
@@ -153,7 +153,7 @@ private:
     std::map<fs::path, CourseRead> read_;
 };
 
-/// A lesson and what it is sorted by.
+/// A lesson and its sort key.
 struct Placed {
     CourseLessons::Entry entry;
     fs::path course;  ///< folder of the course, or of all lessons

@@ -14,7 +14,7 @@ namespace jw {
 inline constexpr const char* kCourseFile = "course.toml";
 
 struct Chapter {
-    std::string name;  ///< of its folder
+    std::string name;  ///< name of its folder
     Text title;
     Text about;
     std::vector<std::string> needs;    ///< names of chapters before this one
@@ -24,13 +24,14 @@ struct Chapter {
 struct Course {
     std::vector<Chapter> chapters;  ///< in order
 
-    /// Index of a chapter, their number for one that is not named.
+    /// Index of a chapter; the number of chapters if the course does not name it.
     std::size_t place_of_chapter(const std::string& name) const;
-    /// Index of a file in its chapter, the number of those named there for others.
+    /// Index of a file in its chapter; the number of files that the chapter names if this file is not one of
+    /// them.
     std::size_t place_of_lesson(const std::string& chapter, const std::string& file) const;
 };
 
-/// A course; one without chapters where something is wrong with the file, or where there is none.
+/// A course; it has no chapters if the file has mistakes or does not exist.
 struct CourseRead {
     Course course;
     std::vector<Diagnostic> diagnostics;  ///< by position
@@ -40,11 +41,11 @@ struct CourseRead {
     std::string report() const;
 };
 
-/// Never throws for bad input. Whether there are lessons of these names is not asked.
-/// @param folder  where the folders of chapters must be; empty: that is not asked either
+/// Never throws for bad input. Does not check that the lessons exist.
+/// @param folder  must contain the folders of the chapters; empty: this is not checked
 CourseRead read_course(std::string source, std::string file_name, const std::filesystem::path& folder = {});
 enum class ChapterFolders { must_be_there, not_asked };
-/// The course of a folder; without `course.toml` there is nothing wrong.
+/// The course of a folder. A folder without `course.toml` is not a mistake.
 CourseRead read_course_of(
     const std::filesystem::path& folder, ChapterFolders chapters = ChapterFolders::must_be_there);
 
@@ -52,18 +53,18 @@ CourseRead read_course_of(
 struct CourseLessons {
     struct Entry {
         std::filesystem::path file;
-        std::string folder;  ///< of its chapter, empty where it is in none
+        std::string folder;  ///< folder of its chapter; empty if it is not in a chapter
         Text chapter_title;  ///< empty where no course names the chapter
     };
     std::vector<Entry> lessons;
     std::vector<Chapter> chapters;              ///< those named by a course that have lessons here, in order
-    std::string report;                         ///< what is wrong with the courses met, empty if nothing is
+    std::string report;                         ///< mistakes in the courses read; empty if there are none
     std::vector<std::filesystem::path> faulty;  ///< courses with mistakes
 };
 
-/// All lessons below `folder`, each by the nearest course around it, which may be that of the folder above.
-/// Lessons that it does not name come last in their chapter, chapters that it does not name come last, both
-/// by path.
+/// All lessons below `folder`, each in the order of the nearest course around it, which may be that of the
+/// folder above. Lessons that the course does not name come last in their chapter, and chapters that it does
+/// not name come last; both are sorted by path.
 CourseLessons course_lessons(const std::filesystem::path& folder);
 
 }  // namespace jw

@@ -1,6 +1,6 @@
 #include "lessons/data_folder.hpp"
 
-// what is not there on every machine
+// not available on every machine
 #if __has_include(<sys/auxv.h>)
 #include <sys/auxv.h>
 #endif
@@ -15,7 +15,7 @@ const fs::path kData = fs::path("share") / "jointwise";
 /// Written by CMake at the top of every build tree.
 constexpr const char* kTopOfBuildTree = "CMakeCache.txt";
 
-/// The file of the running program, all links resolved; empty if it cannot be told.
+/// The file of the running program, all links resolved; empty if it is not known.
 fs::path running_program() {
     std::error_code error;
     fs::path program = fs::canonical("/proc/self/exe", error);

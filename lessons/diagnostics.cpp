@@ -11,7 +11,7 @@ namespace jw {
 
 namespace {
 
-// a name longer than this is no slip of the pen
+// a longer name is not a typing mistake
 constexpr std::size_t kLongestGuess = 60;
 constexpr std::size_t kMostListed = 20;
 // one line of a terminal, with room for the margin
@@ -49,7 +49,7 @@ std::string_view characters_of(std::string_view text, int first, int count) {
 }
 
 std::string underlined(std::string_view line, const SourceSpan& span) {
-    // leading blanks are cut so that the line stands two columns in
+    // leading blanks are cut, so that the line is indented by two columns
     int first = static_cast<int>(std::min(line.find_first_not_of(" \t"), line.size()));
     const int mark = std::max(first, span.column - 1);
     const int end = characters_in(line);
@@ -69,7 +69,7 @@ std::string underlined(std::string_view line, const SourceSpan& span) {
            std::string(column, ' ') + '^' + std::string(static_cast<std::size_t>(length - 1), '~') + '\n';
 }
 
-/// Letters to change, insert, leave out or swap with the next one.
+/// Number of letters to change, insert, leave out or swap with the next one.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before_last;
     std::vector<std::size_t> last;
@@ -131,7 +131,7 @@ std::string printable(std::string_view text) {
     std::string out(text);
     std::ranges::replace_if(
         out, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }, ' ');
-    // U+0080 to U+009F: some terminals take U+009B for the begin of a command
+    // U+0080 to U+009F: some terminals take U+009B for the beginning of a command
     for (std::size_t k = 0; k + 1 < out.size(); ++k) {
         const bool control = out[k] == '\xc2' && static_cast<unsigned char>(out[k + 1]) < 0xA0U;
         if (control) { out.replace(k, 2, "  "); }

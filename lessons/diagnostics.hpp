@@ -12,7 +12,7 @@
 /// Diagnostics of a lesson file: where something is wrong, what is wrong, what was expected and what to do.
 namespace jw {
 
-/// No more than this are collected of one file.
+/// At most this many are collected for one file.
 inline constexpr std::size_t kMostProblems = 1000;
 
 enum class Severity { error, warning };
@@ -26,8 +26,8 @@ struct Diagnostic {
     Severity severity = Severity::error;
 };
 
-/// Compiler style, with the line of `source` underlined; of a very long line only the part around it. The
-/// code stands at the end, where it keeps no editor from seeing "FILE:LINE:COLUMN: error: ".
+/// Compiler style, with the place underlined in its line of `source`; a very long line is cut around the
+/// place. The code stands at the end, so that editors still recognise "FILE:LINE:COLUMN: error: ".
 ///
 ///   four-bar.toml:29:12: error: unknown body 'couper'; expected one of ground, crank, coupler [JW301]
 ///     bodies = ["couper", "rocker"]
@@ -41,7 +41,7 @@ std::string did_you_mean(std::string_view text, std::span<const std::string> nam
 /// "a, b, c", at most 20 of them.
 std::string comma_list(std::span<const std::string> names);
 
-/// 'text' in quotes as it may be shown: long text cut, control characters replaced.
+/// 'text' in quotes, safe to show: long text is cut, control characters are replaced.
 std::string in_quotes(std::string_view text);
 
 /// Up to `digits` significant digits: 0.3, 1e+12, -5.

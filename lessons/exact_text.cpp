@@ -21,9 +21,9 @@ namespace {
 // digits that an author types for an axis or an angle; more is a computed number
 constexpr int kTypedDigits = 6;
 constexpr int kLargestWhole = 9;
-// every double is told by so many
+// this many digits identify every double
 constexpr int kAllDigits = 17;
-// undoing a product or quotient in rounding misses by one step at most
+// the inverse of a rounded product or quotient is off by one neighbouring double at most
 constexpr int kNeighbours = 2;
 
 double rounded(double value, int digits) {
@@ -40,7 +40,7 @@ std::string to_text(double value, std::chars_format format) {
 
 /// Multiples of `v` as somebody may have typed them: small whole numbers first, then with 1 for the largest.
 std::vector<Vec3> short_multiples(const Vec3& v) {
-    // a remainder of rounding is not a component
+    // a rounding error is not a component
     const Vec3 scaled =
         (v / v.cwiseAbs().maxCoeff()).unaryExpr([](double x) { return std::abs(x) > 1e-9 ? x : 0.0; });
     std::vector<Vec3> out;
@@ -102,7 +102,7 @@ std::string vector_text(const Vec3& v) { return list_text({v.data(), 3}); }
 
 namespace {
 
-/// Text with backslashes, as formulas have them, is easier to read where none is doubled.
+/// Text with backslashes, as in formulas, is easier to read if they are not doubled.
 bool reads_better_literally(const std::string& text) {
     const auto is_special = [](char c) {
         return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t') || c == '\x7f';
@@ -129,7 +129,7 @@ std::string string_text(const std::string& text) {
     std::string out = "\"\"\"\n";
     for (std::size_t k = 0; k < text.size(); ++k) {
         const char c = text[k];
-        // a quote may stand alone, three of them end the text
+        // a single quote does not need an escape; three of them would end the text
         const bool quote_alone = c == '"' && k + 1 < text.size() && (k == 0 || text[k - 1] != '"');
         const bool literal = c == '\n' || c == '\t' || quote_alone;
         out += literal ? std::string(1, c) : escaped(c);
@@ -193,7 +193,7 @@ std::optional<TypedRotation> typed_rotation(const Vec4& p) {
 std::string about_rotation(const Vec4& p) {
     const Vec3 e = p.tail<3>();
     const double angle = 2.0 * elementary::atan2(e.norm(), p(0)) * 180.0 / std::numbers::pi;
-    // + 0: no minus zero
+    // + 0 turns -0 into 0
     const Vec3 axis = e.norm() > 0.0 ? Vec3(e.normalized() + Vec3::Zero()) : Vec3::UnitZ();
     std::string text = "turned by " + short_number(angle, 4) + " deg about (";
     for (const double x : axis) { text += (text.back() == '(' ? "" : ", ") + short_number(x, 3); }

@@ -8,24 +8,25 @@
 
 #include "core/numerics/linear.hpp"
 
-/// Numbers and texts as they stand in a lesson file, such that reading them gives the same again.
+/// Numbers and texts as they are written in a lesson file. Reading them gives the same values again.
 namespace jw::writing {
 
 /// The shortest decimal that reads back to the same double: 0.3, 1e-12, -5. Minus zero becomes 0.
 std::string number_text(double value);
-/// Fewest digits, at least `least` and at most 17, with which two numbers that differ read differently.
+/// Fewest digits, from `least` to 17, with which two different numbers are written differently.
 int digits_apart(double a, double b, int least);
 /// "[0, 0.5, 1]"
 std::string list_text(std::span<const double> values);
 std::string vector_text(const Vec3& v);
 
-/// Text in TOML: in double quotes, or between triple ones where it has several lines. Everything that TOML
-/// does not take literally is escaped.
+/// Text in TOML: in double quotes, or in triple ones if it has several lines. Everything that TOML does not
+/// take literally is escaped.
 std::string string_text(const std::string& text);
-/// Text in TOML whose line feeds at the end do not count: several lines get a line each.
+/// Text in TOML whose trailing line feeds do not matter: after several lines, the closing quotes have their
+/// own line.
 std::string words_text(const std::string& text);
 
-/// The number with the fewest digits, at most `most_digits`, near `guess` that reads back as it should.
+/// The number near `guess` with the fewest digits, at most `most_digits`, that reads back as required.
 std::optional<double> typed_number(
     double guess, int most_digits, const std::function<bool(double)>& reads_back);
 
@@ -36,10 +37,10 @@ struct AngleTexts {
 };
 AngleTexts typed_angles(std::span<const double> radians_of);
 
-/// A short vector whose direction, made unit, is exactly `unit`; `unit` itself if there is none.
+/// A short vector that gives exactly `unit` when it is normalised; `unit` itself if there is none.
 Vec3 typed_direction(const Vec3& unit);
 
-/// Axis and angle [deg] with few digits that give exactly `p`, if there are such.
+/// Axis and angle [deg] with few digits that give exactly `p`.
 struct TypedRotation {
     Vec3 axis;
     double angle_deg = 0.0;

@@ -109,7 +109,7 @@ std::optional<Located<Vec3>> Fields::vector_under(std::string_view key) {
 std::optional<Located<Vec3>> Fields::direction(std::string_view key) {
     check_described(key, {KeyKind::direction});
     const auto v = vector_under(key);
-    // squares of very small numbers are 0: measured without them
+    // squares of very small numbers are 0, so the norm must not square them
     if (v && v->value.stableNorm() < kShortestDirection) {
         const bool zero = v->value.isZero(0.0);
         problems_->add(

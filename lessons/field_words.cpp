@@ -11,7 +11,7 @@ namespace jw {
 
 namespace {
 
-// the keys of lessons that a language could be called by, and that may be tables
+// keys of lessons that have the form of a language tag and may be tables
 constexpr std::array<std::string_view, 3> kNoLanguages{"try", "rod", "box"};
 
 std::string in_language_of(const std::string& tag, std::string_view key) {

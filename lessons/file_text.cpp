@@ -16,15 +16,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kChunk = 1U << 16U;
-// a writer that is being started comes within this [ms]
+// a writer that is just starting opens the pipe within this time [ms]
 constexpr int kWaitForWriter = 2000;
-// a program that makes a lesson on the way may take this long over a part of it [ms]
+// a program that generates the lesson while it is read may need this time for a part of it [ms]
 constexpr int kWaitForText = 8000;
 
 class Descriptor {
 public:
     explicit Descriptor(const fs::path& path)
-        // a pipe is opened at once, whoever writes into it
+        // a pipe opens at once, even without a writer
         : file_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
@@ -56,7 +56,7 @@ std::string why_not_opened(const fs::path& path, int error) {
 std::string in_seconds(int milliseconds) { return std::to_string(milliseconds / 1000) + " s"; }
 
 /// Waits until there is something to read, or the end.
-/// @return why there will not be; empty if there is
+/// @return why there will be nothing to read; empty otherwise
 std::string wait_for(int file, bool nobody_writes) {
     const int patience = nobody_writes ? kWaitForWriter : kWaitForText;
     pollfd waiting{file, POLLIN, 0};

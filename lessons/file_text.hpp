@@ -11,8 +11,8 @@ struct FileText {
     std::string problem;  ///< "there is no such file", empty if it was read
 };
 
-/// Reads a file, a pipe or a device to its end, and never waits without end: a pipe into which nothing writes
-/// is given up after two seconds, one that falls silent after eight.
+/// Reads a file, a pipe or a device to its end. Waiting is limited: two seconds for a pipe that no program
+/// writes to, and eight seconds for one whose writer sends nothing.
 /// @param most  bytes; a longer file is a problem
 FileText read_file_text(const std::filesystem::path& path, std::size_t most);
 

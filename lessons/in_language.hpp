@@ -33,7 +33,7 @@ void for_each_text(AnyLesson& lesson, Visit&& visit) {
 }
 
 /// The lesson with its texts in the language `tag` (Text::show); a text that is not translated stays as it
-/// is. Written to a file it is the same lesson, with all of its languages.
+/// is. Writing it to a file gives the same lesson, with all of its languages.
 Lesson in_language(Lesson lesson, std::string_view tag);
 
 }  // namespace jw

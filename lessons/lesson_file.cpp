@@ -11,14 +11,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// drafts that a program left behind when it was killed; more than these are no accident
+// number of drafts that killed programs may have left behind; more are not an accident
 constexpr int kMostDrafts = 100;
 
 /// A file under another name beside its target, removed again unless it was renamed.
 class Draft {
 public:
     explicit Draft(const fs::path& target) {
-        // "x": a name of its own, and never through a link that somebody left there
+        // "x": always a new file, and never through a link that somebody left there
         for (int k = 1; file_ == nullptr && k <= kMostDrafts; ++k) {
             name_ = target.string() + ".part-" + std::to_string(k);
             file_ = std::fopen(name_.c_str(), "wbx");
@@ -37,14 +37,14 @@ public:
         if (file_ == nullptr || std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
             return false;
         }
-        // a full disk may show only now
+        // a full disk may be reported only here
         is_closed_ = true;
         return std::fclose(std::exchange(file_, nullptr)) == 0;
     }
 
     bool rename_to(const fs::path& target) {
         std::error_code ignored;
-        // who may read and write the lesson stays as it was
+        // the permissions of the lesson stay unchanged
         const fs::file_status before = fs::status(target, ignored);
         if (fs::exists(before)) { fs::permissions(name_, before.permissions(), ignored); }
         is_renamed_ = std::rename(name_.c_str(), target.c_str()) == 0;

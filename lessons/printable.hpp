@@ -5,8 +5,8 @@
 
 namespace jw {
 
-/// Text as one line that a terminal only shows: control characters, which would move its cursor or change its
-/// state, are blanks.
+/// Text as one line that is safe to show on a terminal: control characters, which could move its cursor or
+/// change its state, become blanks.
 std::string printable(std::string_view text);
 
 }  // namespace jw

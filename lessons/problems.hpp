@@ -9,7 +9,7 @@
 #include "lessons/diagnostics.hpp"
 #include "lessons/read_text.hpp"
 
-/// Collecting what is wrong with a lesson.
+/// Collects the mistakes in a lesson.
 namespace jw {
 
 /// A value with the place where it stands.
@@ -22,17 +22,17 @@ struct Located {
 /// Collects the errors and warnings of a file.
 class Problems {
 public:
-    /// @param source  of the file; outlives this
+    /// @param source  text of the file; must outlive this object
     Problems(std::string file, const std::string& source) : file_(std::move(file)), source_(&source) {}
 
     const std::string& source() const { return *source_; }
 
     void add(Code code, const SourceSpan& span, std::string message, std::string hint = {});
-    /// A warning does not keep the lesson from being read.
+    /// A warning does not prevent the lesson from being read.
     void warn(Code code, const SourceSpan& span, std::string message, std::string hint = {});
 
     int errors_count() const { return errors_count_; }
-    /// Nobody reads so many: looking for more is not worth the time.
+    /// Nobody reads more than this, so looking for more is not worth the time.
     bool is_full() const { return list_.size() >= kMostProblems; }
     /// All of them, by position.
     std::vector<Diagnostic> take();

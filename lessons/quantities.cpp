@@ -6,7 +6,7 @@ namespace jw::reading {
 
 namespace {
 
-/// "x, e0, omega.x, |r|": what can follow a name, of three components the first.
+/// "x, e0, omega.x, |r|": what can follow a name; of three components, only the first.
 std::string words_behind(
     const std::string& owner, const std::vector<NamedQuantity>& list, const Mechanism& m) {
     std::vector<std::string> words;

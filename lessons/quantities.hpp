@@ -13,7 +13,7 @@ namespace jw::reading {
 /// "_rad_per_s", or nothing.
 std::vector<std::string> unit_endings(const Quantity& quantity, int derivative);
 
-/// The quantity that `text` names; where the name leaves a point open, also the key `point`.
+/// The quantity that `text` names; reads also the key `point` where the name does not give the point.
 std::optional<NamedQuantity> read_quantity(
     Fields& fields, const Located<std::string>& text, const Reading& reading);
 

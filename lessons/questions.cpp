@@ -16,7 +16,7 @@ bool is_there(const Quantity& quantity, const Lesson& lesson) {
     return driver < 0 || is_added({Addition::Kind::driver, driver}, lesson);
 }
 
-/// False where what the answer is about was taken out.
+/// False if the answer is about something that was taken out.
 bool is_there(const Answer& answer, const Lesson& lesson) {
     return std::visit(
         Overloaded{
@@ -48,7 +48,7 @@ bool is_added(const Addition& addition, const Lesson& lesson) {
     };
     if (!is_in_order(addition)) { return false; }
     if (addition.kind == Addition::Kind::joint) { return true; }
-    // a driver goes with its joint
+    // a driver is taken out with its joint
     const int joint = lesson.mechanism.drivers[static_cast<std::size_t>(addition.index)].joint;
     return joint < 0 || is_in_order({Addition::Kind::joint, joint});
 }

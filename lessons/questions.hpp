@@ -9,10 +9,10 @@
 #include "lessons/claims.hpp"
 #include "lessons/things.hpp"
 
-/// What a lesson asks before it shows, and what it proposes to try.
+/// Questions that a lesson asks before it shows a step, and experiments that it proposes.
 namespace jw {
 
-/// How many there are once the step is done: the rank, the freedoms, ...
+/// A number after the step: the rank, the freedoms, ...
 struct CountAnswer {
     Count count = Count::dof;
 };
@@ -25,7 +25,7 @@ struct DroppedAnswer {
 struct QuantityAnswer {
     Quantity quantity;
     std::string text;    ///< as the author wrote it, "hinge.angle"
-    int derivative = 0;  ///< as the name says
+    int derivative = 0;  ///< order of the derivative in the name
     AtTime when;
     bool in_degrees = false;  ///< answers are typed in degrees
     double tolerance = 0.0;   ///< SI, radians; > 0
@@ -35,25 +35,25 @@ struct ChoiceAnswer {
     std::vector<Text> choices;
     int right = 0;  ///< index of the right one
 };
-/// Rows that are found in the scene once the step is done.
+/// Rows that are found in the scene after the step.
 enum class RowsFound {
     dropped,    ///< left out of their p1 or p2
-    redundant,  ///< repeat others, or are repeated by them
+    redundant,  ///< redundant, or imply one that is redundant
 };
-/// A thing that is clicked, or named; any of the right ones will do.
+/// A thing that is clicked or named; any of the right ones is accepted.
 struct PointedAnswer {
     Thing::Kind kind = Thing::Kind::row;
-    std::vector<Thing> right;        ///< as the author wrote them; empty where `found` says it
+    std::vector<Thing> right;        ///< from the lesson file; empty where `found` gives them
     std::optional<RowsFound> found;  ///< rows only
 };
-/// The pose of a body, led there by hand.
+/// The pose of a body that the student drags it to.
 struct PoseAnswer {
     int body = 0;
-    std::optional<AtTime> when;  ///< nothing: once the step is done
-    double tolerance_m = 0.0;    ///< of its point r; > 0
-    double tolerance_rad = 0.0;  ///< of its turn from the right orientation; > 0
+    std::optional<AtTime> when;  ///< nothing: after the step
+    double tolerance_m = 0.0;    ///< for its point r; > 0
+    double tolerance_rad = 0.0;  ///< for the angle between its orientation and the right one; > 0
 };
-/// Only choices and things that the author lists have their answer in the file: all others are computed.
+/// The file contains the answer only for choices and listed things; all other answers are computed.
 using Answer =
     std::variant<CountAnswer, DroppedAnswer, QuantityAnswer, ChoiceAnswer, PointedAnswer, PoseAnswer>;
 
@@ -69,16 +69,16 @@ struct Question {
 };
 
 struct Lesson;
-/// False for what was taken out of the lesson, also for a driver whose joint was.
+/// False if it was taken out of the lesson, or if it is a driver whose joint was taken out.
 bool is_added(const Addition& addition, const Lesson& lesson);
-/// False where what it is about is not there (any more): its joint or driver, or the motion.
+/// False if its joint, driver or motion does not exist (any more).
 bool applies(const Question& question, const Lesson& lesson);
 
 /// A proposal to try something.
 struct Trial {
     Text text;
     std::vector<std::string> actions;  ///< experiments as `jointwise try --try` takes them
-    bool breaks = false;               ///< the scene does not survive it, on purpose
+    bool breaks = false;               ///< the scene fails after it, on purpose
     SourceSpan span;
 };
 

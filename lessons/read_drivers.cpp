@@ -10,7 +10,7 @@ namespace {
 enum class What { angle, displacement, distance, coordinate };
 
 /// Finds the measure of a driver along a joint, which must leave that freedom.
-/// @return false if the value in the start pose is not known
+/// @return false if the value in the start pose cannot be computed
 bool place_on_joint(Fields& fields, const Reading& reading, What what, Driver& driver) {
     const auto name = fields.text("joint");
     fields.require("joint", "the joint whose freedom is driven");
@@ -56,7 +56,7 @@ bool place_between_points(Fields& fields, const Reading& reading, Driver& driver
     return indices.sound;
 }
 
-/// Reports a body that does not move, so that nothing of it can be driven.
+/// Reports a body that does not move: nothing of it can be driven.
 void check_moves(Fields& fields, const Reading& reading, int body, const SourceSpan& span) {
     const Body& driven = reading.lesson.mechanism.bodies[static_cast<std::size_t>(body)];
     if (!driven.fixed) { return; }
@@ -125,7 +125,7 @@ bool place_by_name(Fields& fields, const Reading& reading, const Located<std::st
     return true;
 }
 
-/// Value of what a driver prescribes in the start pose [m or rad].
+/// Value, in the start pose, of the measure that a driver prescribes [m or rad].
 class StartValue {
 public:
     StartValue(const Reading& reading, const Driver& driver)
@@ -156,7 +156,7 @@ private:
     BodyPair pair_;
 };
 
-/// Over the motion and over the time that is integrated; without either everything happens at t = 0.
+/// Checks the values over the motion and over the time of integration; without either, those at t = 0.
 void check_over_all_times(Fields& fields, const Lesson& lesson, const Driver& driver) {
     const bool distance = std::holds_alternative<SquaredDistanceMeasure>(driver.measure);
     const int errors = fields.problems().errors_count();

@@ -36,7 +36,7 @@ formula::Subject read_subject(Fields& fields, const Reading& reading) {
 
 /// Evaluates the formula in a random state, where only its symbols and shapes can be wrong.
 void try_out(Fields& fields, const Reading& reading, const formula::Formula& formula, bool holds) {
-    // what else is wrong would only be said twice
+    // other mistakes would only be reported twice
     if (reading.problems->errors_count() > 0) { return; }
     const Mechanism& mechanism = reading.lesson.mechanism;
     Instant instant =
@@ -46,7 +46,7 @@ void try_out(Fields& fields, const Reading& reading, const formula::Formula& for
             std::make_shared<const Centroidal>(centroidal(mechanism, reading.lesson.dynamics->loads));
     }
     const formula::Outcome outcome = formula::evaluate_at(formula, instant);
-    // a misprint may be one because its shapes do not fit; other states may have a value
+    // shapes that do not fit may be the misprint; in other states, a function may have a value
     if (!outcome.problem || (outcome.misfit && !holds) || outcome.no_value) { return; }
     const math::Problem& problem = *outcome.problem;
     reading.problems->add(

@@ -7,7 +7,7 @@ namespace jw::reading {
 
 namespace {
 
-/// Keys of a joint whose type is not known: each alone can still be wrong.
+/// Checks the keys of a joint whose type is not known: each of them can still be wrong by itself.
 void check_keys(Fields& fields) {
     for (const char* key : {"at", "to", "point_i", "point_j"}) { fields.vector(key); }
     for (const char* key : {"axis", "axis2", "axis_i", "axis_j", "side", "side_i", "side_j"}) {

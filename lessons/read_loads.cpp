@@ -10,8 +10,8 @@ constexpr std::size_t kMostLoads = 1000;
 // two points closer than this give a spring no direction [m]
 constexpr double kShortestSpring = 1e-9;
 
-/// Direction times magnitude of a force or torque: the key `what`, a vector, constant or times a function of
-/// time; or the key `direction`, made unit, and a function.
+/// Direction times magnitude of a force or torque: either the key `what`, a vector that is constant or
+/// multiplied by a function of time; or the key `direction`, which is normalised, and a function.
 struct Vector {
     Vec3 direction = Vec3::UnitX();
     Frame frame = Frame::global;
@@ -96,7 +96,7 @@ bool read_ends(Fields& fields, const BodyPair& pair, Spring& spring) {
     return fields.problems().errors_count() == errors;
 }
 
-/// What gives the spring a direction: along the axis of a slide it acts on the displacement.
+/// Hint on how to give the spring a direction: along the axis of a slide, it acts on the displacement.
 std::string way_out(const PairIndices& bodies, const Reading& reading) {
     for (const Joint& joint : reading.lesson.mechanism.joints) {
         const bool is_between = (joint.body_i == bodies.i && joint.body_j == bodies.j) ||
@@ -165,7 +165,7 @@ constexpr std::array kKinds{
     Kind{"force", read_force}, Kind{"torque", read_torque}, Kind{"spring", read_spring},
     Kind{"rotational_spring", read_rotational_spring}};
 
-/// The origin of a body whose centre of mass is elsewhere is driven in no equation of motion.
+/// Reports drivers of an origin that is not the centre of mass: the equations of motion do not contain it.
 void check_coordinate_drivers(const Reading& reading) {
     for (const Driver& driver : reading.lesson.mechanism.drivers) {
         const auto* m = std::get_if<CoordinateMeasure>(&driver.measure);

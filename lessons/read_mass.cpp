@@ -10,7 +10,7 @@ namespace {
 
 // a tensor as typed with four digits; more is a mistake
 constexpr double kTypedDigits = 1e-3;
-// a moment that is this much smaller than the largest is what rounding leaves of 0
+// a moment that is smaller than this share of the largest is 0 up to rounding
 constexpr double kNoMoment = 1e-13;
 
 constexpr const char* kTensor = "[Jxx, Jyy, Jzz], [Jxx, Jyy, Jzz, Jxy, Jxz, Jyz] or three rows of three";
@@ -40,7 +40,7 @@ std::optional<Located<Mat3>> read_tensor(Fields& fields) {
 
 /// Reports moments of inertia that no body of positive mass has: 0 or less, or one larger than the other two
 /// together.
-/// @return whether `J` is possible, after saying what is not
+/// @return true if `J` is possible; otherwise the reason has been reported
 bool check_moments(Fields& fields, const Located<Mat3>& J) {
     const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(J.value, Eigen::EigenvaluesOnly).eigenvalues();
     const std::string text =

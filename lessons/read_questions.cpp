@@ -132,7 +132,7 @@ std::vector<Thing> read_right_things(Fields& fields, const Reading& reading, Thi
 std::optional<Answer> read_pointed(Fields& fields, const Reading& reading) {
     const auto kind = fields.word("click", kThings);
     if (!kind) {
-        // with a wrong kind, its other keys are not wrong as well
+        // if the kind is wrong, its other keys are not reported as well
         if (fields.has("click")) { fields.texts("right"); }
         if (fields.has("click")) { fields.word("rows", kRowsFound); }
         return std::nullopt;

@@ -5,7 +5,7 @@
 #include "lessons/source_span.hpp"
 #include "lessons/text.hpp"
 
-/// Texts with their places: for those who check all of a file.
+/// Texts with their places, for checks of all texts of a file.
 namespace jw {
 
 /// Who reads a text: students in the window and the pictures, or authors only, as `jointwise check` shows it.

@@ -11,9 +11,9 @@ namespace {
 
 // more coefficients or parts than this are data, not a lesson
 constexpr std::size_t kMostParts = 100;
-// a shorter step has accelerations beyond all reason [s]
+// a shorter step has unrealistic accelerations [s]
 constexpr double kShortestStep = 1e-6;
-// values are looked at in so many moments
+// number of times at which values are checked
 constexpr int kMomentsLookedAt = 200;
 
 /// Keys of a function's values: plain for a length, "_deg" or "_rad" for an angle.

@@ -15,8 +15,8 @@ constexpr int kFormat = 1;
 constexpr std::size_t kLargestFile = 10U << 20U;
 constexpr std::size_t kMostReported = 50;
 
-/// The format comes first, so that a reader of another version can say so instead of guessing.
-/// @return whether the rest is worth reading
+/// The format is read first, so that a reader of another version can report it instead of guessing.
+/// @return true if the rest can be read
 bool read_format(Fields& root, const toml::table& table) {
     root.require("format", "format = 1 as the first key");
     const auto format = root.integer("format", -1000000, 1000000);
@@ -29,7 +29,7 @@ bool read_format(Fields& root, const toml::table& table) {
         return false;
     }
     const auto is_before = [&](const toml::key& key) {
-        // a key that the program has put there has no line
+        // a key that the program has inserted does not have a line
         const int line = span_of(key.source()).line;
         return line > 0 && line < format->span.line;
     };
@@ -41,7 +41,7 @@ bool read_format(Fields& root, const toml::table& table) {
     return true;
 }
 
-/// A moving body that nothing holds or drives is rarely meant, unless masses and forces move it.
+/// A moving body that nothing holds or drives is rarely intended, unless masses and forces move it.
 void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
     if (read.lesson.dynamics) { return; }
     const Mechanism& mechanism = read.lesson.mechanism;
@@ -64,7 +64,7 @@ void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
     }
 }
 
-/// What is wrong with the order of a course, or that it is one.
+/// Reports the mistakes in the order of a course, or that the file is a course.
 ReadResult no_lesson_but_course(std::string source, const std::filesystem::path& path) {
     const std::string file_name = path.string();
     CourseRead course =
@@ -92,7 +92,7 @@ Lesson read_root(Fields& root, Problems& problems) {
     reading::read_steps(root, read);
     reading::read_claims(root, read);
     reading::read_questions(root, read);
-    // read when they are asked for (lessons/exercise)
+    // read when they are needed (lessons/exercise)
     root.has("exercise");
     root.finish();
     if (problems.errors_count() == 0) { warn_of_loose_bodies(read, problems); }

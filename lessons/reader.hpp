@@ -11,8 +11,8 @@
 /// Lesson files: TOML as described in docs/writing-a-lesson.md.
 namespace jw {
 
-/// A lesson, or everything that is wrong with the file: with a lesson there are at most warnings, without
-/// one there is at least one error.
+/// A lesson, or the mistakes in the file: with a lesson there are at most warnings; without one there is at
+/// least one error.
 struct ReadResult {
     std::optional<Lesson> lesson;
     std::vector<Diagnostic> diagnostics;  ///< by position
@@ -25,12 +25,12 @@ struct ReadResult {
 
 /// Never throws for bad input.
 ReadResult read_lesson(std::string source, std::string file_name);
-/// The same with other claims than its own: those of `claims`, tables [[expect]] in TOML. Questions, trials
+/// The same, with the claims of the lesson replaced by `claims`, tables [[expect]] in TOML. Questions, trials
 /// and exercises of the lesson are left out. Mistakes in the claims are reported without a place.
 ReadResult read_lesson_with_claims(std::string source, std::string file_name, const std::string& claims);
 ReadResult read_lesson_file(const std::filesystem::path& path);
 
-/// "3.3.0", of the TOML parser.
+/// Version of the TOML parser, "3.3.0".
 std::string toml_version();
 
 }  // namespace jw

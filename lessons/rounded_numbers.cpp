@@ -12,11 +12,12 @@ namespace jw::reading {
 
 namespace {
 
-// its effect is three times that of all others together: less would send the author to one of several
+// its effect is three times that of all others together; with less, it would be only one of several
 constexpr double kDecides = 3.0;
 
-/// Half a unit of the last digit of a number with a decimal point. @param digits significant ones from which
-///        on it counts as rounded @return 0 for one that is exact
+/// Half a unit of the last digit of a number with a decimal point.
+/// @param digits  with this many significant digits or more, it counts as rounded
+/// @return 0 for an exact number
 double half_unit(const std::string& typed, int digits) {
     const std::size_t point = typed.find('.');
     if (point == std::string::npos) { return 0.0; }
@@ -41,7 +42,7 @@ struct Rounded {
     bool is_short = false;
 };
 
-/// A number with fewer digits may be one that lost its last zeros, if others of its key have more.
+/// A number with fewer digits may have lost its last zeros, if others of its key have more digits.
 std::vector<Rounded> rounded(const std::vector<TypedText>& typed, int digits) {
     std::vector<Rounded> out;
     double most = 0.0;

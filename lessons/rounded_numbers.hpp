@@ -6,7 +6,7 @@
 #include "core/poses/typed/typed_number.hpp"
 #include "lessons/reading.hpp"
 
-/// The numbers of a lesson that were rounded when they were typed, and what changes of them do to its joints.
+/// The numbers of a lesson that were rounded when they were typed, and how changing them changes its joints.
 namespace jw::reading {
 
 class RoundedNumbers {
@@ -20,16 +20,17 @@ public:
 
     const std::vector<TypedNumber>& all() const { return all_; }
 
-    /// Name and place of the number, key or kind that needs more digits: it has three times the effect of
-    /// all others together.
-    /// @param effects of half a unit of each number @return without a place where that is a kind, or several
+    /// Name and place of the number, key or kind that needs more digits: it has three times the effect of all
+    /// others together.
+    /// @param effects  of half a unit of each number
+    /// @return  without a place if it is a kind, or several kinds
     Located<std::string> short_of_digits(const VectorX& effects) const;
 
 private:
     using Change = TypedNumber::Change;
-    /// Changes of the geometry per unit of each of the numbers of a key.
+    /// Changes of the geometry per unit of one of the numbers of a key.
     using Changes = std::function<std::vector<Change>(Eigen::Index)>;
-    /// A vector of the geometry, and the way there from the vector that was typed.
+    /// A vector of the geometry, and the matrix that gives it from the vector that was typed.
     struct Target {
         Vec3 JointGeometry::*vector;
         Mat3 way;
@@ -42,7 +43,7 @@ private:
         std::string key_name;  ///< "'axis' of revolute joint 'hinge'"
         bool is_of_pose = false;
     };
-    /// A number of a pose moves the body [m, global] and turns it [rad, local].
+    /// How a number of a pose moves the body [m, global] and turns it [rad, local].
     struct Displacement {
         Vec3 shift = Vec3::Zero();
         Vec3 turn_local = Vec3::Zero();
@@ -67,7 +68,7 @@ private:
         std::vector<Vec3 JointGeometry::*> vectors;
     };
 
-    /// @param pose_of body whose pose the table gives; empty: a joint
+    /// @param pose_of  body whose pose the table gives; empty: the table is of a joint
     void add(
         const Fields& fields, const std::string& pose_of, std::string_view key, std::size_t count,
         const Changes& changes, double by = 1.0);

@@ -4,9 +4,9 @@
 #include "core/jets/euler_parameters.hpp"
 #include "lessons/rounded_numbers.hpp"
 
-/// Numbers of the poses of bodies. What is typed in the global frame stays there when a pose changes, what is
-/// typed in the frame of the body follows it: poses stay as they are, and the local vectors change by as
-/// much.
+/// Numbers of the poses of bodies. When a pose changes, vectors typed in the global frame stay, and vectors
+/// typed in the frame of the body follow it. Instead, poses are kept here, and the local vectors change by
+/// the same amount.
 namespace jw::reading {
 
 namespace {
@@ -35,7 +35,7 @@ std::vector<RoundedNumbers::Change> RoundedNumbers::moved(
     return changes;
 }
 
-/// Axes as the reader takes them, each of length 1: x as it is, y turned towards it.
+/// Axes as the reader takes them, each of length 1: x unchanged, y turned towards it.
 void RoundedNumbers::add_frame(
     Fields& axes, const std::string& what, const Body& body, const std::vector<LocalVectors>& locals) {
     const Mat3 A = rotation_of(body);
@@ -82,8 +82,8 @@ void RoundedNumbers::add_poses(std::vector<Fields>& bodies, const std::vector<Fi
     const Mechanism& mechanism = reading_.lesson.mechanism;
     std::vector<std::vector<LocalVectors>> locals(mechanism.bodies.size());
     // a body whose vectors are all local moves with them: its pose changes only the h of joints whose sides
-    // are not typed; lengths of distance joints and d_0 and theta_0 of screws, which come from the start
-    // pose, too, are taken as they are
+    // are not typed. Lengths of distance joints and d_0 and theta_0 of screws also come from the start pose;
+    // they are taken as they are
     std::vector<bool> matters(mechanism.bodies.size(), false);
     for (std::size_t j = 0; j < joints.size(); ++j) {
         const Joint& joint = mechanism.joints[j];

@@ -55,7 +55,7 @@ private:
     std::string_view rest_;
 };
 
-/// "5", "4-6", "4 - 6"; at the end of what was typed so far also "4-".
+/// "5", "4-6", "4 - 6"; at the end of the text typed so far also "4-".
 std::optional<SlideRange> range_at(Scanner& text) {
     const auto first = text.number();
     if (!first) { return std::nullopt; }
@@ -72,7 +72,7 @@ std::optional<SlideRange> range_at(Scanner& text) {
     return SlideRange{*first, *first};
 }
 
-/// "slide 5", "slides 4-6, 8 and 10" at the front of `text`, which is in lower case; else nothing is taken.
+/// "slide 5", "slides 4-6, 8 and 10" at the front of `text`, which is in lower case; otherwise takes nothing.
 std::vector<SlideRange> slides_at(Scanner& text) {
     const std::string_view before = text.rest();
     std::vector<SlideRange> slides;
@@ -100,10 +100,10 @@ bool has_one_of(const std::vector<SlideRange>& slides, const std::vector<SlideRa
 
 void add(std::string& words, std::string_view text) {
     words += text;
-    words += '\n';  // so that no word goes on in the next text
+    words += '\n';  // so that a word does not continue in the next text
 }
 
-/// In every language: who knows one of them finds the lesson.
+/// Adds the text in every language: a search in any of them finds the lesson.
 void add(std::string& words, const Text& text) {
     add(words, std::string_view(text.own()));
     for (const auto& [tag, translated] : text.translations()) { add(words, std::string_view(translated)); }

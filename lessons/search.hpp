@@ -21,7 +21,7 @@ struct SlideRange {
 /// The slides that a source names: "slides 4-6, 8; book ch. 7" has 4-6 and 8.
 std::vector<SlideRange> slides_in(std::string_view source);
 
-/// What a lesson is found by.
+/// The words and slides by which a search finds a lesson.
 struct Searchable {
     std::string words;  ///< all of its texts, in lower case
     std::vector<SlideRange> slides;
@@ -33,8 +33,8 @@ Searchable searchable_of(const Lesson& lesson, const std::filesystem::path& file
 /// A file that cannot be read is found by its name.
 Searchable searchable_of(const std::filesystem::path& file);
 
-/// True if everything that `search` asks for is there, whatever the case: each word as a part of the texts,
-/// and for "slide 5", "slides 4-6", "slides 4, 8" one of these slides in the source.
+/// True if the lesson has everything that `search` asks for, ignoring case: each word as a part of its texts,
+/// and for "slide 5", "slides 4-6", "slides 4, 8" one of these slides in its source.
 bool fits(const Searchable& lesson, std::string_view search);
 
 }  // namespace jw

@@ -9,18 +9,18 @@
 
 namespace jw {
 
-/// Rules by which pictures of snapshots count as equal: `rules.toml` beside them (docs/snapshots.md). What is
-/// not said there has the values here. On the machine that drew a picture it is drawn again byte by byte, so
-/// these allow for rounding alone: single pixels, never a line or a digit.
+/// Rules by which two pictures of a snapshot count as equal: `rules.toml` beside them (docs/snapshots.md).
+/// Rules that are absent there have the values given here. The machine that drew a picture can draw it again
+/// byte by byte, so these values allow only for rounding: single pixels, never a line or a digit.
 struct SnapshotRules {
     struct Colour {
         int level = 8;               ///< of 255: a pixel differs if a channel is farther away than this
-        int largest = 60;            ///< of 255: what a single pixel may be away
+        int largest = 60;            ///< of 255: largest difference of a single pixel
         double share = 2e-5;         ///< part of the picture that may differ
         int patch = 4;               ///< pixels that may differ and touch each other
-        double similarity = 0.9998;  ///< structural, at least
+        double similarity = 0.9998;  ///< least structural similarity
     };
-    /// Rules for the pictures of ids and of depths, which have no smooth edges: an edge may be a pixel away.
+    /// Rules for the pictures of ids and of depths, which have no smooth edges: an edge may move by a pixel.
     struct Layer {
         double share = 2e-5;
         int patch = 3;
@@ -28,7 +28,7 @@ struct SnapshotRules {
     Colour colour;
     Layer ids;
     Layer depth;
-    int depth_steps = 8;  ///< of 16384 at the distance of the camera's target: what a depth may be away
+    int depth_steps = 8;  ///< largest difference of a depth, of 16384 at the distance of the camera's target
 };
 
 struct SnapshotRulesRead {

@@ -56,7 +56,7 @@ std::size_t bytes_of(unsigned long point) {
     return point < 0x80 ? 1 : (point < 0x800 ? 2 : (point < 0x10000 ? 3 : 4));
 }
 
-/// Steps over what stands for the next bytes of the value. @return how many bytes
+/// Steps over the source of the next bytes of the value. @return how many bytes
 std::size_t step_value(Cursor& cursor, bool escapes, bool several_lines) {
     if (!escapes || cursor.peek() != '\\') {
         // toml++ reads the line end of Windows as one line feed

@@ -10,8 +10,8 @@
 namespace jw {
 
 /// Place of byte `at` of the text whose quotes open at `start`: escapes, line feeds and the omitted first
-/// line feed of a text in three quotes are counted as TOML reads them. `start` itself where that is not
-/// known.
+/// line feed of a text in three quotes are counted as TOML reads them. Where this is not known, `start`
+/// itself.
 SourceSpan place_in_text(std::string_view source, const SourceSpan& start, std::size_t at);
 
 /// A number as it is typed at a place, without underscores; empty if there is none.

@@ -26,7 +26,7 @@ std::string label_of(const Joint& joint, const EquationOut& equation) {
     for (const LabelledEquation& labelled : equations_of(*joint.type, joint.parallel_form)) {
         if (labelled.equation == equation) { return labelled.label; }
     }
-    // the form is another one since: no longer one of its equations
+    // the form has changed: the joint does not have this equation any more
     return {};
 }
 

@@ -40,10 +40,10 @@ bool is_made_of(Role role, int part);
 /// All things of a kind, in the order of the mechanism; dropped equations are rows, too.
 std::vector<Thing> things_of(const Mechanism& mechanism, Thing::Kind kind);
 std::string name_of(const Thing& thing, const Mechanism& mechanism);
-/// The thing of that kind with that name, whatever blanks surround its words.
+/// The thing of that kind with that name, with any blanks around its words.
 std::optional<Thing> thing_named(const Mechanism& mechanism, Thing::Kind kind, std::string_view name);
 
-/// False where it belongs to a joint or driver that was taken out of the lesson.
+/// False if it belongs to a joint or driver that was taken out of the lesson.
 bool is_present(const Thing& thing, const Lesson& lesson);
 
 }  // namespace jw

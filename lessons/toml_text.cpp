@@ -10,7 +10,7 @@ namespace jw::reading {
 
 namespace {
 
-// every dot of a key is a table within a table; the parser's own limit holds for brackets only
+// every dot of a key is a table within a table; the parser's own limit covers only brackets
 constexpr int kDeepestKey = 32;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
@@ -62,7 +62,7 @@ std::size_t skip_text(std::string_view source, std::size_t k) {
     return source.size();
 }
 
-/// Keys of absurd depth, which would exhaust the parser's stack.
+/// Reports keys that are nested so deeply that they would exhaust the parser's stack.
 bool check_depth(std::string_view source, Problems& problems) {
     int dots = 0;
     int line = 1;
@@ -89,8 +89,8 @@ bool check_depth(std::string_view source, Problems& problems) {
     return true;
 }
 
-/// The parser counts the end of the file as one more character: where a line ends with it, that is no place
-/// any more.
+/// The parser counts the end of the file as one more character. Where a line ends there, the column is moved
+/// back to the end of the line.
 SourceSpan within(SourceSpan span, std::string_view source) {
     std::size_t from = 0;
     for (int line = 1; line < span.line; ++line) {

@@ -8,8 +8,8 @@
 /// Reads the bytes of a file into a TOML table.
 namespace jw::reading {
 
-/// The table that `source` holds; if there is none, says why. A byte order mark is removed from `source` and
-/// bytes that are not UTF-8 are replaced, so that it can be shown.
+/// The table in `source`; reports why if there is none. A byte order mark is removed from `source`, and bytes
+/// that are not UTF-8 are replaced, so that it can be shown.
 std::optional<toml::table> parse_toml(std::string& source, Problems& problems);
 
 }  // namespace jw::reading

@@ -6,11 +6,11 @@
 #include "lessons/diagnostics.hpp"
 #include "lessons/read_text.hpp"
 
-/// What the languages of a file lack.
+/// Translations that are missing in a file.
 namespace jw {
 
-/// A warning for each language that some texts of the file have and others have not, at the first of these:
-/// how many they are, and where. Texts that only authors see need no translation.
+/// A warning for each language that only some texts of the file have. It is placed at the first text without
+/// it, and says how many there are and where. Texts that only authors see need no translation.
 std::vector<Diagnostic> missing_translations(const std::string& file, const std::vector<ReadText>& texts);
 
 }  // namespace jw

@@ -17,20 +17,20 @@ namespace jw {
 /// Largest number that is taken for a length, an angle or a time.
 inline constexpr double kLargestNumber = 1e9;
 
-/// Deviation of Euler parameters from unit length: as typed with four digits they are off by 1e-4; more is a
-/// mistake.
+/// Largest deviation of Euler parameters from unit length: those typed with four digits are off by 1e-4; a
+/// larger deviation is a mistake.
 inline constexpr double kUnitP = 1e-3;
 
 inline double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 inline double omega_of_frequency(double hertz) { return (2.0 * std::numbers::pi) * hertz; }
-/// Advance for a radian [m/rad] of the advance in one turn [m].
+/// Advance per radian [m/rad] from the advance per turn [m].
 inline double alpha_of_pitch(double pitch) { return pitch / (2.0 * std::numbers::pi); }
 
 // deviation from unit length or from a right angle after several roundings
 inline constexpr double kUnitUpToRounding = 64.0 * std::numeric_limits<double>::epsilon();
 
-/// `v` made unit. What is unit already stays as it is, digit for digit: making it unit again would change the
-/// last digit each time a lesson is written and read.
+/// `v` normalised. A unit vector stays unchanged, digit for digit: normalising it again would change the last
+/// digit each time a lesson is written and read.
 inline Vec3 unit_of(const Vec3& v) {
     return std::abs(v.squaredNorm() - 1.0) <= kUnitUpToRounding ? v : Vec3(v.normalized());
 }

@@ -24,7 +24,7 @@ int place_of(const Fact& fact) {
     return std::visit(Place{}, fact);
 }
 
-/// True if what the claim is about is in the file.
+/// True if the thing that the claim is about is in the file.
 bool has_meaning(const Claim& claim, const Written& written) {
     const auto* after = std::get_if<AfterAddition>(&claim.when);
     if (after != nullptr && after->count > static_cast<int>(written.order.size())) { return false; }
@@ -40,7 +40,7 @@ void write_moment(const Moment& when, const Written& written, Lines& lines) {
             [&](const AnyState&) { lines.key("any_state", "true"); },
             [&](const AtTime& at) {
                 lines.key("at_s", at.t);
-                // where there is no [motion] nothing else can be meant
+                // without [motion], only dynamics can be meant
                 if (at.by_forces && written.lesson->motion) { lines.key("of", string_text("dynamics")); }
             },
             [&](const AfterAddition& after) {
@@ -91,7 +91,7 @@ struct FactWriter {
         lines.key("quantity", string_text(c.text));
         const int derivative = c.derivative - c.named_derivative;
         if (derivative != 0) { lines.key("derivative", std::to_string(derivative)); }
-        // a name with the point in it needs no key
+        // a name that contains the point does not need the key
         const bool is_open = c.text.find('[') == std::string::npos;
         const auto* point = std::get_if<PointQuantity>(&c.quantity);
         if (point != nullptr && is_open) { lines.key("point", point->s_local, "m"); }
@@ -147,7 +147,7 @@ void write_claims(const Written& written, Lines& lines) {
     for (const Claim& claim : written.lesson->claims) {
         if (!has_meaning(claim, written)) { continue; }
         const Claim* before = blocks.empty() ? nullptr : blocks.back().back();
-        // valid as long as the reader takes them in this order
+        // the reader must take the facts in this order
         const bool same_block = before != nullptr && before->when == claim.when &&
                                 same_in_all_languages(before->why, claim.why) &&
                                 place_of(before->fact) < place_of(claim.fact);

@@ -41,7 +41,7 @@ void write_polynomial(const std::vector<double>& polynomial, bool angle, Lines& 
     if (polynomial.empty()) { return; }
     const AngleTexts typed = angle ? typed_angles(polynomial) : AngleTexts{"", polynomial};
     const std::string name = angle ? "polynomial_" + typed.unit : "polynomial";
-    // the unit of a coordinate e0..e3 is none, and a number of each length tells nothing new
+    // a coordinate e0..e3 has no unit, and for a length the comment would not tell anything new
     const std::string comment = angle ? formula_of(typed.values, typed.unit) : std::string();
     lines.key(name, list_text(typed.values), comment);
 }
@@ -50,7 +50,7 @@ std::string harmonic_text(const TimeFunction::Harmonic& harmonic, bool angle) {
     std::string text = "{ " + value_text("amplitude", harmonic.amplitude, angle);
     const auto reads_back = [&](double hertz) { return omega_of_frequency(hertz) == harmonic.omega; };
     const auto hertz = typed_number(harmonic.omega / (2.0 * std::numbers::pi), kFrequencyDigits, reads_back);
-    // whichever of the two somebody typed: the shorter one
+    // the author probably typed the shorter of the two
     const std::string omega = number_text(harmonic.omega);
     const bool in_hertz = hertz && number_text(*hertz).size() <= omega.size();
     text += in_hertz ? ", frequency_hz = " + number_text(*hertz) : ", omega_rad_per_s = " + omega;
@@ -66,7 +66,7 @@ std::string step_text(const TimeFunction::SmoothStep& step, bool angle) {
     return text + ", end_s = " + number_text(step.end) + " }";
 }
 
-/// One table by itself, several as a list.
+/// Writes one table alone, several as a list.
 void write_parts(const std::string& name, const std::vector<std::string>& parts, Lines& lines) {
     if (parts.empty()) { return; }
     std::string text;
@@ -80,7 +80,7 @@ void write_parts(const std::string& name, const std::vector<std::string>& parts,
         std::to_string(driver.measure.index()) + " along joint " + std::to_string(driver.joint));
 }
 
-/// Writes what is driven. @return true if it is an angle
+/// Writes the driven measure. @return true if it is an angle
 bool write_place(const Written& written, const Driver& driver, Lines& lines) {
     const auto quantity = [&](const char* name) { lines.key("quantity", string_text(name)); };
     const auto along_joint = [&](const char* name) {
@@ -120,7 +120,7 @@ void write_time_function(const TimeFunction& function, bool angle, Lines& lines)
     std::vector<std::string> steps;
     for (const auto& step : function.steps) { steps.push_back(step_text(step, angle)); }
     write_parts("step", steps, lines);
-    // a function of no parts
+    // a function without parts
     if (function.polynomial.empty() && harmonics.empty() && steps.empty()) {
         lines.key("harmonics", "[]", "0 at all times");
     }

@@ -12,7 +12,7 @@ namespace writing {
 namespace {
 
 constexpr std::size_t kPageWidth = 96;
-// where the shipped lessons have their comments
+// column of the comments in the shipped lessons
 constexpr std::size_t kCommentColumn = 44;
 
 }  // namespace
@@ -83,7 +83,7 @@ void Lines::angles(const std::string& name, std::span<const double> radians_of, 
     const AngleTexts typed = typed_angles(radians_of);
     const std::string in_radians = list_text(radians_of);
     const std::string text = list_text(typed.values);
-    // whichever of the two somebody typed: the shorter one
+    // the author probably typed the shorter of the two
     const bool shorter = in_radians.size() < text.size();
     key(name + '_' + (shorter ? "rad" : typed.unit) + per, shorter ? in_radians : text);
 }

@@ -5,7 +5,7 @@
 
 #include "lessons/lesson.hpp"
 
-/// Lesson files from lessons: the way back of reader.hpp.
+/// Writes lessons to lesson files: the inverse of reader.hpp.
 namespace jw {
 
 /// The lesson as a file of the format of docs/writing-a-lesson.md. Reading it gives the same lesson, every
@@ -15,12 +15,12 @@ namespace jw {
 /// The lesson must be as the format demands (bodies[0] is the ground, |p| = 1 up to 0.001, sides
 /// perpendicular to axes, names without dots); otherwise the reader refuses the text and says why.
 /// @throws std::invalid_argument for a driver or a rotational spring that no lesson can describe, and for
-///         numbers not finite
+/// numbers that are not finite
 std::string lesson_text(const Lesson& lesson);
 
-/// Writes `text` whole or not at all: under another name in the same folder, then renamed. A link is
-/// followed.
-/// @return false, with what went wrong in `error`, if it cannot be written; what was there stays then
+/// Writes `text` completely or not at all: to a file with another name in the same folder, which is then
+/// renamed. Follows a link.
+/// @return false, with the reason in `error`, if it cannot be written; an existing file then stays unchanged
 bool write_lesson_file(const std::filesystem::path& path, const std::string& text, std::string& error);
 
 }  // namespace jw

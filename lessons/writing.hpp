@@ -23,7 +23,7 @@ public:
     void key(const std::string& name, const Vec3& value, const std::string& comment = {});
     /// A text in every language, "text = ..." and "zh-Hant.text = ...".
     void text(const std::string& name, const Text& text);
-    /// The same of a text whose line feeds at the end do not count.
+    /// The same for a text whose line feeds at the end do not matter.
     void words(const std::string& name, const Text& text);
     /// A list of texts in every language that one of them has.
     void texts(const std::string& name, const std::vector<Text>& texts);
@@ -35,7 +35,7 @@ public:
     std::string take() { return std::move(text_); }
 
 private:
-    /// The same text in other languages, as they are written by `written`.
+    /// The text in other languages, each as `written` gives it.
     void translations(const std::string& name, const Text& text, std::string (*written)(const std::string&));
 
     std::string text_;
@@ -52,7 +52,7 @@ struct Written {
     std::string pair(int body_i, int body_j) const;
 
     const Lesson* lesson;
-    std::vector<Addition> order;  ///< without what has been taken out
+    std::vector<Addition> order;  ///< without additions that have been taken out
 };
 
 void write_head(const Written& written, Lines& lines);
@@ -67,7 +67,7 @@ void write_dynamics(const Written& written, Lines& lines);
 void write_questions(const Written& written, Lines& lines);
 void write_claims(const Written& written, Lines& lines);
 
-/// Keys of a function of time; of an angle with their unit.
+/// Keys of a function of time; for an angle, with their unit.
 void write_time_function(const TimeFunction& function, bool angle, Lines& lines);
 /// Keys `mass`, `centre`, `inertia`.
 void write_mass(const MassProperties& mass, Lines& lines);

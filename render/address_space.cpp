@@ -12,15 +12,15 @@ namespace jw::render {
 
 namespace {
 
-// measured with Mesa 22.3.6 under ulimit -v, which draws 1280 x 720 in 640 MB on two cores, and 3840 x 2160
-// in 1100 MB: libraries and their compiler, an arena and a stack for each of its threads, and colours and
-// depths of four samples
+// measured with Mesa 22.3.6 under ulimit -v: 1280 x 720 takes 640 MB on two cores, and 3840 x 2160 takes 1100
+// MB. This is for libraries and their compiler, an arena and a stack for each thread, and colours and depths
+// of four samples
 constexpr std::size_t kMegabyte = std::size_t{1} << 20U;
 constexpr std::size_t kLibraries = 500 * kMegabyte;
 constexpr std::size_t kThread = 72 * kMegabyte;
 constexpr unsigned kMostThreads = 16;
 constexpr std::size_t kPixel = 64;
-// what is larger is refused by the renderer
+// the renderer refuses larger pictures
 constexpr int kLargestSide = 16384;
 
 }  // namespace
@@ -32,7 +32,7 @@ void check_address_space(int width, int height) {
     };
     const std::size_t pixels = side(width) * side(height);
     const std::size_t room = kLibraries + kThread * threads + kPixel * pixels;
-    // reserved, and never touched
+    // only reserved, never used
     void* const reserved =
         ::mmap(nullptr, room, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (reserved == MAP_FAILED) {

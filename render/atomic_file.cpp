@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// drafts that programs left behind when they were killed; more than these are no accident
+// number of drafts that killed programs may have left behind; more are not an accident
 constexpr int kMostDrafts = 100;
 
 [[noreturn]] void fail_to_write(const fs::path& path, const std::string& why) {
@@ -31,13 +31,13 @@ fs::path folder_of(const fs::path& target) {
     return target.has_parent_path() ? target.parent_path() : fs::path(".");
 }
 
-/// A file under construction: gone again unless `publish` was reached, after `finish`.
+/// A file that is being written. It is removed again unless `finish` and then `publish` were reached.
 class Draft {
 public:
     explicit Draft(const fs::path& target) : target_(target) {
         check_can_be_written(target);
 #ifdef O_TMPFILE
-        // without /proc it could not be given a name later
+        // without /proc, it could not be given a name later
         if (::access("/proc/self/fd", X_OK) == 0) {
             file_ = ::open(folder_of(target).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
         }
@@ -65,7 +65,7 @@ public:
         }
     }
 
-    /// Nothing is missing any more, under the name of a draft.
+    /// The content is complete and has the name of a draft.
     void finish() {
         if (name_.empty()) {
             const std::string nameless = "/proc/self/fd/" + std::to_string(file_);
@@ -73,7 +73,7 @@ public:
                 return ::linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
             });
         }
-        // a full disk may show only now
+        // a full disk may be reported only here
         if (::close(std::exchange(file_, -1)) != 0) { fail_to_write(target_, errno); }
     }
 
@@ -83,7 +83,7 @@ public:
     }
 
 private:
-    /// @param make  takes a name; false with errno where that fails
+    /// @param make  uses a name; returns false with errno if this fails
     template <class Make>
     void with_free_name(const Make& make) {
         const std::string stem = target_.string() + ".part-" + std::to_string(::getpid());
@@ -99,7 +99,7 @@ private:
     }
 
     fs::path target_;
-    std::string name_;  ///< empty while it has none
+    std::string name_;  ///< empty while the file has no name
     int file_ = -1;
 };
 
@@ -109,7 +109,7 @@ void check_can_be_written(const fs::path& path) {
     std::error_code error;
     switch (fs::status(path, error).type()) {
         case fs::file_type::directory: fail_to_write(path, EISDIR);
-        // renaming would put a file in the place of a device, for everybody on the machine
+        // renaming would replace a device by a file, for everybody on the machine
         case fs::file_type::block:
         case fs::file_type::character: fail_to_write(path, "this is a device; expected the name of a file");
         case fs::file_type::fifo:

@@ -23,8 +23,8 @@ BackdropPass::Layer BackdropPass::make_layer() const {
     return layer;
 }
 
-/// As large as the buffers of the frame, not as the viewport: so a pixel has the coordinates, and to the bit
-/// the colour, that it would have if it were drawn into the frame itself.
+/// The textures have the size of the frame's buffers, not of the viewport: so a pixel has the coordinates,
+/// and exactly the colour, that it would have if it were drawn into the frame itself.
 void BackdropPass::resize(const BackdropView& wanted) {
     const DeviceRect size = device_rect(wanted.part, wanted.frame);
     if (size_ == size) { return; }
@@ -41,7 +41,7 @@ void BackdropPass::draw(const BackdropView& wanted, const SceneView& view, const
     const DeviceRect whole = shown_rect(wanted.viewport, wanted.frame, wanted.part);
     const bool lit_changed = view_ != wanted;
     if (lit_changed || shadows_ != shadows.version()) {
-        // an error on the way leaves nothing that passes for painted
+        // after an error, nothing counts as painted
         view_.reset();
         gl_.ActiveTexture(GL_TEXTURE0);
         gl_.Viewport(rect.x, rect.y, rect.width, rect.height);
@@ -109,7 +109,7 @@ void BackdropPass::draw_behind_bodies() const {
     fill();
 }
 
-/// Fills the viewport by the program in use, at the farthest depth.
+/// Fills the viewport with the program in use, at the farthest depth.
 void BackdropPass::fill() const {
     gl_.Disable(GL_CULL_FACE);
     gl_.Disable(GL_BLEND);

@@ -11,10 +11,10 @@
 
 namespace jw::render {
 
-/// What is behind everything else.
+/// What is drawn behind everything else.
 enum class Backdrop {
     sky,    ///< a gradient from top to bottom
-    paper,  ///< the paper of the framebuffer; of the ground lines and shadows are seen
+    paper,  ///< the paper of the framebuffer; only the lines and shadows of the ground are seen
 };
 
 /// One viewport of a frame, its tone and what is behind its bodies.
@@ -22,7 +22,7 @@ struct BackdropView {
     Matrix4d clip_from_world;
     Rect viewport;
     FrameSize frame;
-    FramePart part;  ///< that is drawn
+    FramePart part;  ///< part that is drawn
     Tone tone = Tone::light;
     Backdrop backdrop = Backdrop::sky;
     Colour paper;
@@ -33,19 +33,19 @@ struct BackdropView {
 
 /// Draws what is behind the bodies: sky, ground and the shadows on it.
 ///
-/// Nothing of it has an edge that needs more than one sample per pixel, and most of it stands still while
-/// bodies move. So it is painted into a texture with one sample, which is kept; of that only what has changed
-/// is painted anew: all with camera, size or tone, the part in shadow with the bodies. Without a GPU this
-/// saves a third of a picture.
+/// Nothing in the backdrop has an edge that needs more than one sample per pixel, and most of it does not
+/// change while bodies move. So it is painted into a texture with one sample, which is kept. Only what has
+/// changed is painted again: everything after a change of camera, size or tone, and the part in shadow when
+/// bodies move. Without a GPU, this saves a third of the time of a picture.
 class BackdropPass {
 public:
     explicit BackdropPass(const GlFunctions& gl);
 
-    /// Fills the viewport of the framebuffer that is bound, which has one sample. Leaves the map of `shadows`
-    /// bound to texture unit 0.
+    /// Fills the viewport of the bound framebuffer, which has one sample. Leaves the map of `shadows` bound
+    /// to texture unit 0.
     void draw(const BackdropView& wanted, const SceneView& view, const ShadowMap& shadows);
 
-    /// Fills the scissor of the framebuffer that is bound, whatever its samples, with what was drawn last, at
+    /// Fills the scissor of the bound framebuffer, for any number of samples, with what was drawn last, at
     /// the farthest depth. Uses texture unit 0.
     void draw_behind_bodies() const;
 
@@ -71,8 +71,8 @@ private:
     GlVertexArray no_attributes_;  // for triangles made of gl_VertexID alone
     Layer lit_;                    // without shadows
     Layer shown_;
-    DeviceRect size_{};                 // of both
-    std::optional<BackdropView> view_;  // that both show
+    DeviceRect size_{};                 // of both layers
+    std::optional<BackdropView> view_;  // shown by both layers
     std::uint64_t shadows_ = 0;         // version of the shadows in `shown_`
     DeviceRect shaded_{};               // part of `shown_` that differs from `lit_`
 };

@@ -40,7 +40,7 @@ Matrix4d projection_matrix(const Camera& camera, double aspect) {
     const double far = kFar * distance;
     Matrix4d m = Matrix4d::Zero();
     if (camera.orthographic) {
-        // parallel rays have no eye to stay in front of
+        // parallel rays do not begin at the eye, so the scene may extend behind it
         const double near = -far;
         m(0, 0) = 1.0 / (tangent * distance * aspect);
         m(1, 1) = 1.0 / (tangent * distance);

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-/// Camera of a picture, and where a point appears on it. No GL.
+/// Camera of a picture, and where a point appears in the picture. No GL.
 namespace jw::render {
 
 using Eigen::Matrix4d;
@@ -22,7 +22,7 @@ struct Rect {
     }
 };
 
-/// `rect` without a border of `pixels` on each side.
+/// `rect` reduced by `pixels` on each side.
 Rect shrunk(const Rect& rect, double pixels);
 
 /// A pinhole or parallel camera. `eye` and `target` must differ and `up` must not be along the view.
@@ -31,7 +31,7 @@ struct Camera {
     Vector3d target = Vector3d::Zero();
     Vector3d up = Vector3d::UnitZ();
     double field_of_view = 0.5;  ///< vertical [rad]
-    bool orthographic = false;   ///< the height of the picture at the target stays as with a pinhole
+    bool orthographic = false;   ///< the picture at the target is as high as that of a pinhole camera
 
     bool operator==(const Camera&) const = default;
 
@@ -53,7 +53,7 @@ Matrix4d view_matrix(const Camera& camera);
 /// Camera frame to clip space of GL, for a picture with aspect = width / height.
 Matrix4d projection_matrix(const Camera& camera, double aspect);
 
-/// Place where a point is seen.
+/// Place at which a point is seen.
 struct Projected {
     double x = 0.0;      ///< pixels from the left edge of the frame
     double y = 0.0;      ///< pixels from the top edge of the frame
@@ -62,10 +62,10 @@ struct Projected {
         false;  ///< in front of the camera and within the viewport (it may still be hidden by a body)
 };
 
-/// The pixel at which `point` is drawn when the scene is drawn into `viewport`.
+/// The pixel at which `point` is drawn if the scene is drawn into `viewport`.
 Projected project(const Camera& camera, const Rect& viewport, const Vector3d& point);
 
-/// Length in m that covers one pixel at `point`: arrows and points of constant width on the picture.
+/// Length in m that covers one pixel at `point`: for arrows and points of constant width in the picture.
 double pixel_size(const Camera& camera, const Rect& viewport, const Vector3d& point);
 
 }  // namespace jw::render

@@ -5,7 +5,7 @@
 
 namespace jw::render {
 
-/// Pixels of the device, counted from the bottom as GL does.
+/// Pixels of the device, counted from the bottom as in GL.
 struct DeviceRect {
     int x, y;
     int width, height;
@@ -16,16 +16,16 @@ struct DeviceRect {
 
 DeviceRect device_rect(const Rect& rect, const FrameSize& frame);
 
-/// A rectangle of the frame in the buffers of a part of it, where it may begin before and end behind them.
+/// A rectangle of the frame in the coordinates of a part's buffers; it may extend beyond them.
 DeviceRect device_rect(const Rect& rect, const FrameSize& frame, const FramePart& part);
 
 /// All pixels of the buffers of a part.
 DeviceRect device_rect(const FramePart& part, const FrameSize& frame);
 
-/// A rectangle of the frame as far as it is in the buffers of a part.
+/// The part of a rectangle of the frame that lies in the buffers of a part.
 DeviceRect shown_rect(const Rect& rect, const FrameSize& frame, const FramePart& part);
 
-/// Empty where the two do not meet.
+/// Intersection; empty if the two do not overlap.
 DeviceRect common_part(const DeviceRect& a, const DeviceRect& b);
 
 }  // namespace jw::render

@@ -10,7 +10,7 @@ namespace {
 
 using Boxes = std::array<Eigen::AlignedBox3f, kMeshKinds>;
 
-/// Box around the core of each mesh; with less detail it is not larger.
+/// Box around the core of each mesh; a mesh with less detail is not larger.
 const Boxes& core_boxes() {
     static const Boxes boxes = [] {
         Boxes made;
@@ -26,7 +26,7 @@ const Boxes& core_boxes() {
 
 void include(Bounds& bounds, const Instance& instance, const Eigen::AlignedBox3f& core) {
     const Eigen::Matrix<double, 3, 4> pose = instance.pose.cast<double>();
-    // the inner radius is not larger than the outer
+    // the inner radius is not larger than the outer one
     const Vector3d size = instance.size.head<3>().cast<double>();
     for (const auto corner :
          {Eigen::AlignedBox3f::BottomLeftFloor, Eigen::AlignedBox3f::BottomRightFloor,

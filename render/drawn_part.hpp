@@ -5,10 +5,10 @@
 
 namespace jw::render {
 
-/// Bounds of everything in the lists, a little wide: of each instance the box around it.
+/// Bounds of everything in the lists, slightly too large: the box around each instance.
 Bounds bounds_of(const DrawLists& lists);
 
-/// Most pixels of a picture 720 high by which outlines and widths of lines reach beyond `bounds_of`.
+/// Pixels, in a picture 720 high, by which outlines and lines reach beyond `bounds_of` at most.
 float border_of(const DrawLists& lists);
 
 }  // namespace jw::render

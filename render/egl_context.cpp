@@ -4,7 +4,7 @@
 #include "render/headless_context.hpp"
 #include "render/mesa_settings.hpp"
 
-// without the headers of a window system
+// does not need the headers of a window system
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kNeeds =
     "no OpenGL 3.3 without a window: this needs EGL (Debian packages libegl1 and libegl-mesa0), and ";
 
-/// EGL and its one display without a window system; it stays for as long as the program does.
+/// EGL and its only display without a window system; it exists until the program ends.
 struct Egl {
     decltype(&eglGetPlatformDisplay) get_display = nullptr;
     decltype(&eglInitialize) initialize = nullptr;
@@ -44,7 +44,7 @@ private:
         library.find("eglDestroyContext", destroy);
         library.find("eglMakeCurrent", make_current);
         library.find("eglGetProcAddress", get_function);
-        // without a surface there is nothing to choose a configuration for
+        // without a surface, no configuration needs to be chosen
         display = get_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
         if (display == EGL_NO_DISPLAY || initialize(display, nullptr, nullptr) == EGL_FALSE) {
             throw std::runtime_error(
@@ -53,7 +53,7 @@ private:
     }
 };
 
-/// Words in which EGL is asked for a profile.
+/// Arguments with which EGL is asked for a profile.
 struct Kind {
     const char* name;
     EGLenum api;
@@ -98,7 +98,7 @@ public:
 
     void make_current() override {
         const Egl& egl = Egl::get();
-        // the interface is bound for each thread
+        // EGL binds the interface for each thread separately
         egl.bind_api(api_);
         if (egl.make_current(egl.display, EGL_NO_SURFACE, EGL_NO_SURFACE, handle_) == EGL_FALSE) {
             throw std::runtime_error("EGL cannot make its context current");

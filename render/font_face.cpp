@@ -39,11 +39,11 @@ struct FontFace::Face {
 namespace {
 
 constexpr double kUnitsPerPixel = 64.0;  // FreeType counts in 26.6 fixed point
-constexpr unsigned kPointsPerInch = 72;  // makes a point a pixel
+constexpr unsigned kPointsPerInch = 72;  // one point is one pixel
 
 constexpr int kBorder = 1;  // empty texels all around, so that neighbours in an atlas do not show through
 
-/// Coverage of a pixel-wide window at every texel: what a screen pixel that starts there should show.
+/// Coverage of a pixel-wide window at every texel: what a screen pixel that starts there must show.
 std::vector<std::uint8_t> box_filtered(const FT_Bitmap& bitmap, int window, int columns, int rows) {
     std::vector<std::uint8_t> filtered(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     for (int row = 0; row < static_cast<int>(bitmap.rows); ++row) {
@@ -107,7 +107,7 @@ std::optional<GlyphBitmap> FontFace::render(char32_t character, double pixels_pe
     const bool blank = slot->bitmap.width == 0 || slot->bitmap.rows == 0;
     glyph.columns = blank ? 0 : static_cast<int>(slot->bitmap.width) + oversampling - 1 + 2 * kBorder;
     glyph.rows = blank ? 0 : static_cast<int>(slot->bitmap.rows) + 2 * kBorder;
-    // the filter's window is centred on its texel
+    // the window of the filter is centred on its texel
     glyph.left = (static_cast<float>(slot->bitmap_left - kBorder) - 0.5F * (scale - 1.0F)) / scale;
     glyph.top = static_cast<float>(slot->bitmap_top + kBorder);
     glyph.width = static_cast<float>(glyph.columns) / scale;

@@ -12,13 +12,13 @@ struct FT_FaceRec_;
 /// Glyphs of a font file as pictures, through FreeType.
 namespace jw::render {
 
-/// Coverage of one glyph, 0 to 255, top row first, with an empty border of one texel. Distances in pixels
-/// from the pen on the baseline.
+/// Coverage of one glyph, 0 to 255, top row first, with an empty border of one texel. Distances are in pixels
+/// from the pen position on the baseline.
 struct GlyphBitmap {
     int columns = 0;  ///< texels; a pixel is as wide as `oversampling` of them
     int rows = 0;
-    float left = 0.0F;   ///< of the left edge
-    float top = 0.0F;    ///< of the upper edge, upwards
+    float left = 0.0F;   ///< distance of the left edge
+    float top = 0.0F;    ///< distance of the upper edge, upwards
     float width = 0.0F;  ///< pixels
     float advance = 0.0F;
     std::vector<std::uint8_t> coverage;
@@ -32,36 +32,37 @@ public:
     FontFace(FontFace&&) noexcept;
     FontFace& operator=(FontFace&&) noexcept;
 
-    /// The whole file, for others who read it.
+    /// The whole file, for other readers.
     const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
-    /// Distance from the highest ascender to the lowest descender, as ImGui counts the size of a font [em].
+    /// Distance from the highest ascender to the lowest descender, which ImGui uses as the size of a font
+    /// [em].
     double line_height() const;
 
     bool has(char32_t character) const;
-    /// Number of a character's glyph in the font; 0: there is none.
+    /// Number of a character's glyph in the font; 0 if there is none.
     unsigned glyph_index(char32_t character) const;
 
-    /// The face for libraries that draw with FreeType themselves; it lives as long as this.
+    /// The face for libraries that draw with FreeType themselves; valid as long as this object.
     FT_FaceRec_* freetype() const;
 
-    /// Glyph of `character`, or nothing if the font has none.
+    /// Glyph of `character`; nothing if the font does not have it.
     ///
     /// Hinted to whole pixels vertically, never horizontally.
     /// @param pixels_per_em  size
-    /// @param oversampling  texels per pixel across. 1: for text at whole pixels, advances rounded;
-    ///        more: for glyphs at any x, filtered so that bilinear sampling shows true coverage
+    /// @param oversampling  texels per pixel across. 1: for text at whole pixels, with rounded advances;
+    /// more: for glyphs at any x, filtered so that bilinear sampling shows the true coverage
     std::optional<GlyphBitmap> render(char32_t character, double pixels_per_em, int oversampling);
 
 private:
     struct Library;
     struct Face;
-    std::vector<std::uint8_t> bytes_;  // read from as long as the face is used
+    std::vector<std::uint8_t> bytes_;  // read as long as the face is used
     std::unique_ptr<Library> library_;
     std::unique_ptr<Face> face_;
 };
 
-/// "2.12.1"
+/// Version of FreeType, "2.12.1".
 std::string freetype_version();
 
 }  // namespace jw::render

@@ -16,7 +16,7 @@ using Bytes = std::span<const std::uint8_t>;
 
 constexpr std::size_t kHeadSize = 12;
 constexpr std::size_t kRecordSize = 16;
-// in table 'head': the one number that is left out of its checksum
+// in table 'head': the only number that its checksum does not include
 constexpr std::size_t kAdjustment = 8;
 
 constexpr std::array<std::string_view, 5> kNeeded{"cmap", "head", "hhea", "hmtx", "maxp"};
@@ -33,7 +33,7 @@ std::string_view tag_at(Bytes bytes, std::size_t at) {
     return {reinterpret_cast<const char*>(bytes.data()) + at, 4};
 }
 
-/// Sum of the table's numbers, filled up with zeros to a whole one, modulo 2^32.
+/// Sum modulo 2^32 of the table's numbers, padded with zeros to whole numbers.
 std::uint32_t checksum(Bytes table) {
     std::uint32_t sum = 0;
     std::size_t k = 0;

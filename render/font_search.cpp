@@ -30,7 +30,7 @@ std::vector<std::filesystem::path> font_folders() {
     return folders;
 }
 
-/// Empty if it is in none of them.
+/// Empty if the font is in none of the folders.
 std::filesystem::path find_font(const FontFile& file, const std::vector<std::filesystem::path>& folders) {
     for (const auto& folder : folders) {
         std::error_code ignored;
@@ -48,7 +48,7 @@ bool is_of_debian(const std::filesystem::path& path) {
     return std::ranges::find(kFolders, path.parent_path().string()) != kFolders.end();
 }
 
-/// Remedy for a font that exists and cannot be used.
+/// Remedy for a font that exists but cannot be used.
 std::string remedy_for(const std::filesystem::path& path, const FontFile& file) {
     if (is_of_debian(path)) { return "apt-get install --reinstall " + std::string(file.package); }
     return "replace the file, or take its folder out of JOINTWISE_FONTS";

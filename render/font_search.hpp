@@ -4,8 +4,8 @@
 
 #include "render/font_face.hpp"
 
-/// Which fonts the program needs, and where they are looked for: the folders of JOINTWISE_FONTS
-/// (colon-separated), then where Debian's packages put them.
+/// Which fonts the program needs, and where they are searched for: in the folders of JOINTWISE_FONTS
+/// (colon-separated), then where Debian's packages install them.
 namespace jw::render {
 
 struct FontFile {
@@ -18,12 +18,12 @@ inline constexpr FontFile kSansBold{"DejaVuSans-Bold.ttf", "fonts-dejavu-core"};
 inline constexpr FontFile kMono{"DejaVuSansMono.ttf", "fonts-dejavu-core"};
 inline constexpr FontFile kMath{"latinmodern-math.otf", "fonts-lmodern"};
 inline constexpr std::array kFontFiles{kSans, kSansBold, kMono, kMath};
-/// What DejaVu lacks, above all Chinese. Nothing but texts with such characters needs it.
+/// Characters that DejaVu does not have, above all Chinese. Only texts with such characters need it.
 inline constexpr FontFile kChinese{"DroidSansFallbackFull.ttf", "fonts-droid-fallback"};
 
-/// @throws std::runtime_error if the font is missing or damaged, with what to do
+/// @throws std::runtime_error with a remedy if the font is missing or damaged
 FontFace open_font(const FontFile& file);
-/// Empty if it is in none of the folders.
+/// Empty if the font is in none of the folders.
 std::filesystem::path path_of_font(const FontFile& file);
 
 }  // namespace jw::render

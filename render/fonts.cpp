@@ -18,7 +18,7 @@
 namespace jw::render {
 namespace {
 
-/// Width for letters of a scale. The height follows, and is 16384 at the most.
+/// Width of the atlas for letters of a scale. The height follows from it, and is at most 16384.
 int atlas_width(float scale, AtlasSize size) {
     if (scale > 6.0F) { return 16384; }
     if (scale > 3.0F) { return 8192; }
@@ -29,11 +29,11 @@ constexpr char32_t kMissing = 0xFFFD;
 constexpr char32_t kBox = 0x25A1;            // □
 constexpr char32_t kLastCharacter = 0xFFFF;  // ImGui of Debian counts with 16 bits
 
-// an x of DejaVu is as high as one of Latin Modern at this part of the size
+// an x of DejaVu in this part of the size is as high as an x of Latin Modern
 constexpr double kWordsInFormula = 0.8;
 
-// Formula glyphs stand at any x: three texels per pixel keep their stems even. Interface text stands at
-// whole pixels and is sharpest with one.
+// Formula glyphs stand at any x: three texels per pixel make their stems equally wide. Interface text stands
+// at whole pixels and is sharpest with one texel.
 constexpr int kFormulaOversampling = 3;
 
 /// Characters of the interface: first and last of each run.
@@ -71,7 +71,7 @@ constexpr std::array<std::array<char32_t, 2>, 16> kFormula{{
     {0x23A1, 0x23A6},
 }};
 
-/// Hairlines of Latin Modern are a third of a pixel wide: darkened, they survive a projector.
+/// Hairlines of Latin Modern are a third of a pixel wide: darkened, they stay visible on a projector.
 std::optional<GlyphBitmap> darkened(std::optional<GlyphBitmap> glyph) {
     static const std::array<std::uint8_t, 256> darker = [] {
         constexpr double exponent = 0.78;
@@ -88,11 +88,11 @@ std::optional<GlyphBitmap> darkened(std::optional<GlyphBitmap> glyph) {
     return glyph;
 }
 
-/// Fills the atlas of a context. ImGui's own rasteriser neither hints nor reaches beyond 16 bits, so it only
-/// packs: every glyph but the space is a custom rectangle (`AddCustomRectFontGlyph`) drawn by FreeType.
+/// Fills the atlas of a context. ImGui's own rasteriser does not hint and cannot go beyond 16 bits, so it
+/// only packs: every glyph but the space is a custom rectangle (`AddCustomRectFontGlyph`) drawn by FreeType.
 class AtlasBuilder {
 public:
-    /// @throws std::runtime_error as `load_fonts`; then the atlas is as it was
+    /// @throws std::runtime_error as `load_fonts`; then the atlas is unchanged
     AtlasBuilder(ImFontAtlas& atlas, float scale, AtlasSize size) : atlas_(atlas) {
         for (const FontFile& file : kFontFiles) { face_of(file); }
         atlas_.Clear();
@@ -114,12 +114,12 @@ public:
             if (!glyph && chinese_) { glyph = chinese_->render(c, em, 1); }
             add_glyph(font, c, std::move(glyph));
         }
-        // ImGui shows this one in place of what is not there
+        // ImGui shows this glyph for missing characters
         add_glyph(font, kMissing, face_of(kSans).render(kBox, em, 1));
         return font;
     }
 
-    /// Opens the font for Chinese if one of the characters needs it, and it is there.
+    /// Opens the font for Chinese if a character needs it and the font is installed.
     void open_chinese(std::u32string_view others) {
         FontFace& sans = face_of(kSans);
         const bool needed = std::ranges::any_of(others, [&](char32_t c) { return !sans.has(c); });
@@ -145,7 +145,7 @@ public:
         return font;
     }
 
-    /// Packs, then copies the glyphs to where they were packed.
+    /// Packs the glyphs, then copies them to their places.
     void build() {
         unsigned char* texels = nullptr;
         int width = 0;
@@ -173,13 +173,13 @@ private:
                                      : faces_.emplace(file.name, open_font(file)).first->second;
     }
 
-    /// A font that holds nothing but the space. Its face has been checked: ImGui would stop the program.
+    /// A font that contains only the space. Its face has been checked, because ImGui would stop the program.
     ImFont* add_base(const FontFace& face, float size) {
         static constexpr ImWchar only_space[] = {0x20, 0x20, 0};  // read when the atlas is built
         ImFontConfig config;
         config.OversampleH = 1;
         config.PixelSnapH = true;
-        // the atlas frees its copy
+        // the atlas frees this copy
         void* const copy = ImGui::MemAlloc(face.bytes().size());
         if (copy == nullptr) { throw std::bad_alloc(); }
         std::memcpy(copy, face.bytes().data(), face.bytes().size());
@@ -206,7 +206,7 @@ private:
         }
     }
 
-    /// ImGui made the glyph as large as its rectangle, at the top of the line.
+    /// ImGui has made the glyph as large as its rectangle, at the top of the line.
     static void place(ImFontGlyph& glyph, const ImFont& font, const GlyphBitmap& bitmap) {
         const float baseline = std::round(font.Ascent);
         glyph.X0 = bitmap.left;

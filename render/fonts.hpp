@@ -13,9 +13,9 @@ struct ImFont;
 /// Fonts of panels and formulas for the current ImGui context.
 namespace jw::render {
 
-/// Sizes for a picture 720 high at scale 1. Interface fonts are DejaVu; formula fonts are Latin Modern, drawn
-/// with the letters of `math_alphabets.hpp` as well, so a formula is laid out with one ImFont per size. The
-/// baseline of each is `ImFont::Ascent` below its top.
+/// Sizes for a picture 720 high at scale 1. Interface fonts are DejaVu. Formula fonts are Latin Modern and
+/// also have the letters of `math_alphabets.hpp`, so a formula is laid out with one ImFont per size. The
+/// baseline of each font is `ImFont::Ascent` below its top.
 ///
 /// Interface text is sharp at whole pixels. Formula glyphs may stand at any x; round y to whole pixels.
 struct Fonts {
@@ -26,20 +26,20 @@ struct Fonts {
     ImFont* mono = nullptr;    ///< 14 px
 
     ImFont* formula = nullptr;         ///< 21 px
-    ImFont* formula_script = nullptr;  ///< 15 px, sub- and superscripts of `formula`; beside words of `small`
-    // an x of Latin Modern is as high as that of the words beside it
-    ImFont* formula_words = nullptr;         ///< 17 px, beside words of `normal`
-    ImFont* formula_words_script = nullptr;  ///< 13 px, of both sizes beside words
+    ImFont* formula_script = nullptr;  ///< 15 px, sub- and superscripts of `formula`; beside words in `small`
+    // an x of Latin Modern in these sizes is as high as an x of the words beside it
+    ImFont* formula_words = nullptr;         ///< 17 px, beside words in `normal`
+    ImFont* formula_words_script = nullptr;  ///< 13 px, scripts of both sizes beside words
     ImFont* formula_large = nullptr;         ///< 30 px, the headline of a step
     ImFont* formula_large_script = nullptr;  ///< 21 px
 
     float scale = 1.0F;
 };
 
-/// Sides of the texture that letters are in.
+/// Size of the texture that contains the letters.
 enum class AtlasSize {
     usual,  ///< up to 16384
-    small,  ///< 4096 up to 2.4 times the usual letters, 8192 up to three times: what graphics of phones take
+    small,  ///< 4096 up to 2.4 times the usual letters, 8192 up to three times: fits graphics of phones
 };
 
 /// Loads all fonts into the atlas of the current ImGui context, builds it and makes `normal` the default.
@@ -47,19 +47,18 @@ enum class AtlasSize {
 /// Searched in the folders of JOINTWISE_FONTS (colon-separated), then where Debian's packages put them.
 /// @param scale  1 for a picture 720 high, 1.5 for 1080
 /// @param others  characters of texts beyond those of the interface; interface fonts get them from DejaVu or
-///         from the font for Chinese, which is opened only for them. One that no font has is shown as a box.
+/// from the font for Chinese, which is opened only for them. A character that no font has is shown as a box.
 /// @throws std::runtime_error naming the file that is missing or damaged and its Debian package; then the
-/// atlas
-///         is as it was.
+/// atlas is unchanged.
 Fonts load_fonts(float scale, std::u32string_view others = {}, AtlasSize atlas = AtlasSize::usual);
 
-/// Where a letter of a font of `Fonts` comes from.
+/// Source of a letter in a font of `Fonts`.
 struct LetterSource {
     FontFile file;
     char32_t unicode = 0;  ///< in the file; letters of formulas have other numbers in their ImFont
     double pixels_per_em = 0.0;
 };
-/// Finds the sources of letters for those who draw them without pixels; the same as `load_fonts` takes.
+/// Finds the sources of letters for drawing without pixels; the same ones that `load_fonts` uses.
 class LetterSources {
 public:
     /// @throws std::runtime_error naming a font that is missing or damaged
@@ -68,7 +67,7 @@ public:
     LetterSources(const LetterSources&) = delete;
     LetterSources& operator=(const LetterSources&) = delete;
 
-    /// A box where no font has the character.
+    /// Source of a letter; that of a box if no font has the character.
     LetterSource of(const ImFont& font, char32_t character) const;
 
 private:
@@ -77,12 +76,12 @@ private:
     std::unique_ptr<Faces> faces_;
 };
 
-/// True if the interface fonts have the character without asking for it.
+/// True if the interface fonts always have the character.
 bool is_of_interface(char32_t character);
 
-/// Those of the characters that no font has, each once. The font for Chinese counts where it is installed.
+/// Those of the characters that no font has, each once. The font for Chinese counts if it is installed.
 std::u32string characters_without_glyph(std::u32string_view characters);
-/// The Debian package of the font for Chinese if it is not there, else empty.
+/// The Debian package of the font for Chinese if the font is missing, otherwise empty.
 std::string package_of_missing_chinese();
 
 /// A font file that `load_fonts` needs.
@@ -93,11 +92,11 @@ struct FontSource {
     bool optional = false;  ///< only texts in Chinese need it
     State state = State::right;
     std::filesystem::path path;  ///< empty if it is missing
-    std::string problem;         ///< empty if it is right
-    std::string remedy;          ///< of one that is damaged
+    std::string problem;         ///< empty if the file is usable
+    std::string remedy;          ///< of a damaged font
 };
 
-/// Every font file, looked for where `load_fonts` does, or in `folders` only.
+/// Every font file, searched for where `load_fonts` searches, or only in `folders`.
 std::vector<FontSource> find_fonts();
 std::vector<FontSource> find_fonts(const std::vector<std::filesystem::path>& folders);
 

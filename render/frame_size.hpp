@@ -3,7 +3,7 @@
 namespace jw::render {
 
 /// Size of the frame that is drawn into. `pixel_ratio` device pixels stand for one pixel of the picture:
-/// 1 as a rule, 2 where a driver without multisampling makes us draw at double size.
+/// usually 1, but 2 if a driver without multisampling requires drawing at double size.
 struct FrameSize {
     int width = 0;  ///< pixels of the picture
     int height = 0;
@@ -12,8 +12,8 @@ struct FrameSize {
     bool operator==(const FrameSize&) const = default;
 };
 
-/// Part of a frame that is drawn into buffers of its own size: all of it as a rule, one of several tiles
-/// where it is larger than what buffers are made for. Pixels of the picture, from its upper left corner.
+/// Part of a frame that is drawn into buffers of its own size: usually all of it; one of several tiles if the
+/// frame is larger than the buffers can be. Pixels of the picture, from its upper left corner.
 struct FramePart {
     int x = 0;
     int y = 0;

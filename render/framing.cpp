@@ -11,11 +11,11 @@
 namespace jw::render {
 namespace {
 
-// The eye stays this far in front of the scene, in depths of the scene: beyond the near plane of the camera.
+// Minimum distance of the eye from the scene, in depths of the scene: beyond the camera's near plane.
 constexpr double kClearance = 0.15;
-constexpr double kNearest = 0.05;    // of the camera's distance: what lies before is not drawn
+constexpr double kNearest = 0.05;    // of the camera's distance: nearer parts are not drawn
 constexpr double kPoint = 1e-7;      // [m] smaller scenes count as a point
-constexpr double kPointSize = 0.01;  // [m] which is shown like a body of 1 cm
+constexpr double kPointSize = 0.01;  // [m] a point is shown like a body of 1 cm
 
 struct Include {
     Bounds& bounds;
@@ -86,8 +86,8 @@ View view_of(const Bounds& bounds, const Rect& viewport, const Rect& safe, const
 }
 
 /// The pinhole camera: every point lies on the inner side of four planes through the eye. In the picture's
-/// axes the right plane reads  x - right z <= eye_x - right eye_z  and so on: a pair of opposite planes
-/// bounds eye_z from above, the smaller bound counts, and then the eye is centred between both.
+/// axes, the right plane is  x - right z <= eye_x - right eye_z  and so on: a pair of opposite planes bounds
+/// eye_z from above. The smaller bound counts, and then the eye is centred between both planes.
 Vector3d pinhole_eye(const View& view) {
     const double right = view.extent(1.0, 0.0, -view.right);
     const double left = view.extent(-1.0, 0.0, -view.left);
@@ -122,13 +122,13 @@ void check(const Rect& viewport, const Rect& safe, const Framing& framing) {
     if (safe.width <= 0.0 || safe.height <= 0.0 || viewport.width <= 0.0 || viewport.height <= 0.0) {
         throw std::invalid_argument("frame_scene: nothing can be framed in an empty rectangle");
     }
-    // 1e-6 rad: nearer than that to the view `up` says nothing about which way is up
+    // 1e-6 rad: if the view is nearer to `up`, the vertical in the picture is not defined
     if (framing.direction.cross(framing.up).norm() <= 1e-6 * framing.direction.norm() * framing.up.norm()) {
         throw std::invalid_argument("frame_scene: direction must not be zero or along up");
     }
 }
 
-/// The largest of 1, 2, 5 times a power of ten that is not above `size`.
+/// The largest of 1, 2 or 5 times a power of ten that is not above `size`.
 double round_number_below(double size) {
     const double power = std::pow(10.0, std::floor(std::log10(size)));
     for (const double digit : {5.0, 2.0}) {
@@ -196,7 +196,7 @@ Rect seen_part(const Bounds& bounds, const Camera& camera, const Rect& viewport)
         if (!camera.orthographic && depth - ball.radius < kNearest * camera.distance()) { return viewport; }
         const double reach = camera.orthographic ? 0.0 : ball.radius;
         const Eigen::Vector2d at(from_eye.dot(axes.right), -from_eye.dot(axes.up));
-        // corners of the box around the ball, as far and as near as the ball reaches
+        // corners of the box around the ball, at its nearest and its farthest depth
         for (const double side : {-ball.radius, ball.radius}) {
             for (const double nearer : {-reach, reach}) {
                 const double scale = focal / ((camera.orthographic ? camera.distance() : depth) - nearer);
@@ -240,7 +240,7 @@ Ground ground_below(const Bounds& bounds, const Vector3d& normal) {
     const Vector3d centre = bounds.empty() ? Vector3d::Zero() : bounds.centre();
     const double lowest = bounds.empty() ? 0.0 : -bounds.extent(-up);
     Ground ground;
-    // a gap keeps the edges of bodies that lie flat from mixing with the plane
+    // a gap prevents the edges of bodies that lie flat from mixing with the plane
     ground.point = centre + (lowest - 0.002 * diagonal - up.dot(centre)) * up;
     ground.normal = up;
     ground.grid = round_number_below(diagonal / 5.0);

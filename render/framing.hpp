@@ -7,11 +7,11 @@
 #include "render/camera.hpp"
 #include "render/scene.hpp"
 
-/// Composes the camera: everything in sight, nothing cut off, no number chosen by hand.
+/// Places the camera so that everything is in view and nothing is cut off, without any number chosen by hand.
 namespace jw::render {
 
-/// Bounds of what must be in sight: spheres and points. Unlike a box they are tight from every direction.
-/// Bounds of many poses of a scene, one included after the other, frame its whole motion.
+/// Bounds of what must be in view: spheres and points. Unlike a box, they are tight from every direction. The
+/// bounds of many poses, included one after the other, frame the whole motion of a scene.
 class Bounds {
 public:
     void include(const Vector3d& centre, double radius = 0.0);
@@ -33,7 +33,7 @@ public:
         Vector3d centre;
         double radius;
     };
-    /// What `extent` is taken of.
+    /// The spheres and points from which `extent` is computed.
     const std::vector<Ball>& balls() const { return balls_; }
 
 private:
@@ -46,8 +46,8 @@ private:
 Bounds bounds_of(const Scene& scene);
 Bounds bounds_of_shapes(const std::vector<Shape>& shapes);
 
-/// Part of the picture that covers what is within the bounds, in whole pixels, perhaps reaching beyond the
-/// viewport; all of the viewport if they reach the eye. Empty bounds cover nothing.
+/// Part of the picture that covers everything within the bounds, in whole pixels; it may extend beyond the
+/// viewport. It is the whole viewport if the bounds reach the eye. Empty bounds cover nothing.
 Rect seen_part(const Bounds& bounds, const Camera& camera, const Rect& viewport);
 
 struct Framing {
@@ -58,18 +58,18 @@ struct Framing {
     bool orthographic = false;
 };
 
-/// The nearest camera of that direction with all of `bounds` inside `safe`, a part of the
-/// `viewport` that the scene is drawn into: leave a margin there for captions and labels.
+/// The nearest camera of that direction with all of `bounds` inside `safe`, a part of the `viewport` that the
+/// scene is drawn into: leave a margin there for captions and labels.
 ///
-/// Empty bounds are taken as a cube of 1 m at the origin, a point as a sphere of 1 cm.
+/// Empty bounds count as a cube of 1 m at the origin, a point as a sphere of 1 cm.
 /// @throws std::invalid_argument if `safe` is empty or `direction` is zero or along `up`.
 Camera frame_scene(const Bounds& bounds, const Rect& viewport, const Rect& safe, const Framing& framing = {});
 
 /// Frames a scene with a margin of 8 % of the smaller side all around.
 Camera frame_scene(const Bounds& bounds, const Rect& viewport, const Framing& framing = {});
 
-/// A ground plane under the scene that suits its size: just below its lowest point along `normal`, with a
-/// grid of 1, 2 or 5 times a power of ten, fading out around it.
+/// A ground plane under the scene, of suitable size: just below its lowest point along `normal`, with a grid
+/// of 1, 2 or 5 times a power of ten, fading out around it.
 Ground ground_below(const Bounds& bounds, const Vector3d& normal = Vector3d::UnitZ());
 
 }  // namespace jw::render

@@ -5,7 +5,7 @@
 namespace jw::render {
 namespace {
 
-// one of each kind may wait, on several servers; a lost context reports without end
+// one error of each kind may wait, on several servers; a lost context reports errors without end
 constexpr int kMostWaiting = 32;
 
 const char* words_for(GLenum error) {

@@ -4,11 +4,11 @@
 
 #include "render/gl_functions.hpp"
 
-/// Errors of GL stay until somebody asks for them, whichever call they came from: they are asked for where a
-/// frame ends, so that none is blamed on a call of the next one.
+/// GL keeps errors until they are read, whichever call caused them. They are read at the end of a frame, so
+/// that they are not blamed on a call of the next frame.
 namespace jw::render {
 
-/// Takes all errors that are waiting. The context must be current.
+/// Reads and clears all waiting errors. The context must be current.
 /// @return the first of them in words, "OpenGL error 0x502 (invalid operation)"; empty if there is none
 std::string take_gl_errors(const GlFunctions& gl);
 

@@ -9,7 +9,7 @@ namespace {
 
 template <class Function>
 void load(Function& function, const char* name, GlLoader loader, std::string& missing) {
-    // object to function pointer: what every loader of GL does, conditionally supported and fine on POSIX
+    // object to function pointer: every GL loader does this; conditionally supported, and fine on POSIX
     function = reinterpret_cast<Function>(loader(name));
     if (function == nullptr) {
         missing += missing.empty() ? "" : ", ";

@@ -4,8 +4,8 @@
 
 #include <GL/glcorearb.h>
 
-/// OpenGL 3.3 core or OpenGL ES 3.0 through one table of function pointers, so that a window and OSMesa can
-/// live in one program: nothing links libGL, and whoever owns a context fills a table for it.
+/// OpenGL 3.3 core or OpenGL ES 3.0 through a table of function pointers, so that a window and OSMesa can be
+/// used in one program: nothing links libGL; whoever owns a context fills a table for it.
 ///
 /// The types come from <GL/glcorearb.h> (Debian: libgl-dev).
 namespace jw::render {
@@ -88,8 +88,8 @@ namespace jw::render {
     X(PFNGLTEXIMAGE2DMULTISAMPLEPROC,          TexImage2DMultisample)
 // clang-format on
 
-/// Kinds of OpenGL that the pictures are drawn with. They differ in how shaders begin (gl_objects.cpp) and in
-/// how samples are averaged (sample_mean.cpp, render_targets.cpp); depth can be read from the first alone.
+/// Kinds of OpenGL for drawing pictures. They differ in the first lines of shaders (gl_objects.cpp) and in
+/// the averaging of samples (sample_mean.cpp, render_targets.cpp); only the first can read depth.
 enum class GlProfile {
     core_33,  ///< OpenGL 3.3 core
     es_30,    ///< OpenGL ES 3.0, which WebGL 2 is
@@ -106,11 +106,11 @@ struct GlFunctions {
 /// Looks up a GL function of the current context by its full name, e.g. "glClear".
 using GlLoader = void* (*)(const char* name);
 
-/// Fills the table for the context that is current.
+/// Fills the table for the current context.
 /// @throws std::runtime_error naming the entries that the context does not have.
 GlFunctions load_gl_functions(GlLoader loader);
 
-/// Name of the renderer of the current context: e.g. "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile)
+/// Name of the renderer of the current context, such as "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile)
 /// Mesa 22.3.6".
 std::string renderer_name(const GlFunctions& gl);
 

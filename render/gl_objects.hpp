@@ -10,10 +10,10 @@
 #include "render/gl_functions.hpp"
 #include "render/palette.hpp"
 
-/// Owners of GL objects. The context they were made in must be current when they are destroyed.
+/// Owners of GL objects. The context in which they were made must be current when they are destroyed.
 namespace jw::render {
 
-/// One GL name, deleted with its owner. `Delete` is told the table and the name.
+/// One GL name, deleted with its owner. `Delete` gets the table and the name.
 template <void (*Delete)(const GlFunctions&, GLuint)>
 class GlObject {
 public:
@@ -60,7 +60,7 @@ GlRenderbuffer make_renderbuffer(const GlFunctions& gl);
 GlTexture make_texture(const GlFunctions& gl);
 GlVertexArray make_vertex_array(const GlFunctions& gl);
 
-/// Binds a framebuffer and, at the end, the one that was bound before.
+/// Binds a framebuffer and, when destroyed, the one that was bound before.
 class BoundFramebuffer {
 public:
     BoundFramebuffer(const GlFunctions& gl, const GlFramebuffer& framebuffer) : gl_(gl) {
@@ -76,8 +76,7 @@ private:
     GLint before_ = 0;
 };
 
-/// Copies a part of a framebuffer into the one that is bound, of the same size; of several samples their
-/// mean.
+/// Copies a part of a framebuffer into the bound one, of the same size; several samples are averaged.
 void copy_part(const GlFunctions& gl, const GlFramebuffer& from, const DeviceRect& part);
 
 /// A linked pair of shaders and its uniforms by name.

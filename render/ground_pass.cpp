@@ -11,7 +11,7 @@ namespace {
 
 constexpr Colour kNightShadow = from_hex(0x000000, 0.5F);
 
-/// All of the plane that is drawn.
+/// The whole plane that is drawn.
 Parallelogram whole_plane(const Ground& ground) {
     const Vector3d normal = ground.normal.normalized();
     const Vector3d u = level_axis(normal);
@@ -30,7 +30,7 @@ Matrix4d plane_from_world(const Ground& ground) {
     return m;
 }
 
-/// Uniforms of `shaders::ground_vertex` but for shadow.
+/// Uniforms of `shaders::ground_vertex` except those of shadows.
 void set_vertex_uniforms(
     const GlProgram& program, const SceneView& view, const Ground& ground, const Parallelogram& part) {
     program.use();
@@ -63,7 +63,7 @@ void GroundPass::draw_shadow(
     const std::optional<Parallelogram>& part, Tone tone) const {
     set_vertex_uniforms(shadow_, view, ground, part ? *part : whole_plane(ground));
     shadow_.set("shadow_from_world", shadow.map_from_world);
-    // a shadow is darker than its ground in any tone
+    // a shadow is darker than its ground in both tones
     shadow_.set("shadow_colour", tone == Tone::light ? palette::kGroundShadow : kNightShadow);
     ShadowMap::set_uniforms(shadow_);
     draw_plane();

@@ -5,18 +5,17 @@
 
 #include "render/gl_functions.hpp"
 
-/// OpenGL without a window: whose it is, and its functions.
+/// OpenGL without a window: its context and its functions.
 namespace jw::render {
 
-/// Contexts that pictures can be drawn in without a window.
+/// Contexts for drawing pictures without a window.
 enum class HeadlessSurface {
-    automatic,  ///< OSMesa, and where there is none EGL
-    osmesa,     ///< Mesa's own, drawn by the processor; Mesa has left it out since 25.1
-    egl,        ///< EGL without a surface; on a machine with a graphics card that draws
+    automatic,  ///< OSMesa, or EGL if OSMesa is missing
+    osmesa,     ///< Mesa's own, drawn by the processor; Mesa has not included it since 25.1
+    egl,        ///< EGL without a surface; on a machine with a graphics card, the card draws
 };
 
-/// Context of OpenGL 3.3 core, or ES 3.0 where that is asked for, without a framebuffer of its own that
-/// anything is drawn into.
+/// Context of OpenGL 3.3 core, or of ES 3.0 on request, without its own framebuffer to draw into.
 class HeadlessContext {
 public:
     HeadlessContext() = default;
@@ -24,7 +23,7 @@ public:
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;
 
-    /// @throws std::runtime_error if that is not possible
+    /// @throws std::runtime_error if it cannot be made current
     virtual void make_current() = 0;
     const GlFunctions& gl() const { return gl_; }
 
@@ -32,7 +31,7 @@ protected:
     GlFunctions gl_;
 };
 
-/// Each @throws std::runtime_error with the Debian package that has it, if there is none.
+/// Each @throws std::runtime_error naming the Debian package to install if there is no such context.
 std::unique_ptr<HeadlessContext> make_osmesa_context();
 std::unique_ptr<HeadlessContext> make_egl_context(GlProfile profile = GlProfile::core_33);
 std::unique_ptr<HeadlessContext> make_headless_context(HeadlessSurface surface);
@@ -41,12 +40,12 @@ std::unique_ptr<HeadlessContext> make_headless_context(HeadlessSurface surface);
 void choose_headless_surface(HeadlessSurface surface);
 HeadlessSurface chosen_headless_surface();
 
-/// A shared library that is loaded when the first picture is drawn: text needs none of it, and brings no
-/// compiler of shaders into memory. One that is missing or damaged so is an error that can be told.
+/// A shared library that is loaded when the first picture is drawn: text output does not need it, and then
+/// does not load a shader compiler. If the library is missing or damaged, this can be reported as an error.
 class LoadedLibrary {
 public:
     /// @param names  tried one after the other
-    /// @param error  that begins what is told if none can be loaded
+    /// @param error  beginning of the message if none can be loaded
     LoadedLibrary(std::initializer_list<const char*> names, std::string error);
 
     template <class Function>
@@ -55,7 +54,7 @@ public:
     }
 
 private:
-    /// @throws std::runtime_error if it is not there
+    /// @throws std::runtime_error if there is no such symbol
     void* address_of(const char* name) const;
 
     std::string error_;

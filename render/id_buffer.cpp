@@ -10,12 +10,12 @@
 namespace jw::render {
 namespace {
 
-// alpha of what the pointer prefers: thin things are hard to hit
+// alpha of preferred targets: thin things are hard to hit
 constexpr float kBodyRank = 0.5F;
 constexpr float kThinRank = 1.0F;
 constexpr std::uint8_t kThinAlpha = 255;
 
-// in pixels, beyond any radius: first thin things, then the body right here, then bodies near
+// in pixels, larger than any radius: first thin things, then the body under the pointer, then bodies near it
 constexpr double kBodyHere = 1e6;
 constexpr double kBodyAway = 1e7;
 
@@ -29,7 +29,7 @@ void check_ids(const std::vector<Part>& parts) {
     }
 }
 
-/// Without what the pointer goes through.
+/// The scene without everything that the pointer goes through.
 Scene pickable(const Scene& scene) {
     check_ids(scene.shapes);
     check_ids(scene.arrows);
@@ -47,7 +47,7 @@ Scene pickable(const Scene& scene) {
     return kept;
 }
 
-/// Distance from the eye along the view [m] of a depth in GL's window, 0 to 1.
+/// Distance from the eye along the view [m] for a depth in GL's window, 0 to 1.
 double distance_at(double window_depth, const Matrix4d& projection) {
     const double z = 2.0 * window_depth - 1.0;
     const bool parallel = projection(3, 3) != 0.0;
@@ -70,7 +70,7 @@ bool IdBuffer::update(
     std::uint64_t version, SceneView::Details details) {
     const Seen now{version, camera, viewport, frame, details};
     if (rect_.width > 0 && seen_ == now) { return false; }
-    // one id per pixel of the picture, whatever the device has
+    // one id per pixel of the picture, for any pixel ratio of the device
     const FrameSize pixels{frame.width, frame.height, 1};
     const DeviceRect rect = device_rect(viewport, pixels);
     if (rect.width < 1 || rect.height < 1) {
@@ -110,7 +110,7 @@ void IdBuffer::draw(const SceneView& view) const {
     gl_.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-    // ghosts before what is seen through bodies, which is seen through ghosts as well
+    // ghosts come before what is visible through bodies, because that is visible through ghosts as well
     draw_solids(view, view.lists.bodies, kBodyRank);
     draw_solids(view, view.lists.ghosts, kBodyRank);
     draw_solids(view, view.lists.annotations, kThinRank);
@@ -131,7 +131,7 @@ void IdBuffer::draw(const SceneView& view) const {
     gl_.Disable(GL_CULL_FACE);
 }
 
-/// Begins to draw only what lies behind something.
+/// From now on, draws only what lies behind something.
 void IdBuffer::begin_hidden() const {
     gl_.DepthFunc(GL_GREATER);
     gl_.DepthMask(GL_FALSE);

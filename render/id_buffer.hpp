@@ -9,20 +9,20 @@
 
 namespace jw::render {
 
-/// Finds what the pointer hits: the scene is drawn once more with ids for colours, by the same meshes and
-/// vertex shaders as the picture, so that both agree to the pixel. No blending, no multisampling.
+/// Finds what the pointer hits: the scene is drawn again with ids as colours, by the same meshes and vertex
+/// shaders as the picture, so that both agree to the pixel. No blending, no multisampling.
 ///
-/// Vectors, points and lines that are seen through bodies are hit through bodies. Opaque bodies without an id
-/// hide what is behind them; anything else without one lets the pointer through.
+/// Vectors, points and lines that are visible through bodies are also hit through bodies. Opaque bodies
+/// without an id hide what is behind them; anything else without an id lets the pointer through.
 class IdBuffer {
 public:
-    /// @param meshes  of the `SceneRenderer` of the same context. Both must outlive this; the context must be
-    ///                current here, in every call and at destruction.
+    /// @param meshes  of the `SceneRenderer` of the same context. Both must outlive this object; the context
+    /// must be current here, in every call and at destruction.
     IdBuffer(const GlFunctions& gl, const SceneMeshes& meshes);
 
-    /// Draws the ids, unless version, camera, viewport and frame are those of the call before. Leaves the
-    /// framebuffer that was bound bound.
-    /// @param version  a number that is another one whenever the scene is another
+    /// Draws the ids, unless version, camera, viewport and frame are those of the previous call. The
+    /// framebuffer that was bound stays bound.
+    /// @param version  a number that changes whenever the scene changes
     /// @param details  `by_size` covers the pixels that a picture colours
     /// @return whether anything had to be drawn
     /// @throws std::invalid_argument if an id is out of range
@@ -31,14 +31,15 @@ public:
         std::uint64_t version, SceneView::Details details = SceneView::Details::by_size);
 
     /// The id for a pointer that need not be exact: that of the nearest vector, point or line within `radius`
-    /// pixels, else of the body under the pointer, else of the nearest body within `radius`, else 0.
+    /// pixels; otherwise of the body under the pointer; otherwise of the nearest body within `radius`;
+    /// otherwise 0.
     int nearest_id(double x, double y, double radius) const;
 
-    /// All ids and depths of the frame of the last `update`; nothing is outside the viewport.
+    /// All ids and depths of the frame of the last `update`; there is nothing outside the viewport.
     PictureLayers read_layers() const;
 
 private:
-    /// Inputs that `update` compares.
+    /// Inputs that `update` compares with the previous ones.
     struct Seen {
         std::uint64_t version = 0;
         Camera camera;

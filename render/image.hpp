@@ -6,13 +6,13 @@
 
 namespace jw::render {
 
-/// RGB picture, 8 bits a channel, top row first, no padding.
+/// RGB picture, 8 bits per channel, top row first, no padding.
 struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgb;
     std::vector<std::uint8_t> alpha =
-        {};  ///< one a pixel, 255 where nothing shines through; empty: all of them
+        {};  ///< one per pixel, 255 where it is opaque; empty: all pixels are opaque
 
     bool operator==(const Image&) const = default;
 

@@ -62,7 +62,7 @@ double similarity_of_window(const Image& a, const Image& b, int left, int top, i
            ((mean_a * mean_a + mean_b * mean_b + kC1) * (variance_a + variance_b + kC2));
 }
 
-/// Takes the group that holds a marked pixel out of `left`.
+/// Removes the group around a marked pixel from `left`. @return its size
 int take_group(PixelMask& left, int x, int y) {
     std::vector<std::pair<int, int>> waiting{{x, y}};
     left.at(x, y) = 0;

@@ -6,10 +6,10 @@
 
 #include "render/image.hpp"
 
-/// How far two pictures of the same size are apart, in measures that notice different things.
+/// Difference between two pictures of the same size, in measures that detect different things.
 namespace jw::render {
 
-/// Pixels of a picture that are marked, top row first.
+/// Marked pixels of a picture, top row first.
 struct PixelMask {
     int width = 0;
     int height = 0;
@@ -26,19 +26,19 @@ private:
     }
 };
 
-/// Number of pixels in the largest group of marked ones that touch by an edge or a corner. Rounding changes
-/// single pixels here and there; a line or a digit is a group.
+/// Number of pixels in the largest group of marked pixels that touch by an edge or a corner. Rounding changes
+/// single pixels in different places; a line or a digit is a group.
 int largest_patch(const PixelMask& mask);
 
 struct ImageDifference {
-    int largest = 0;          ///< of a channel, of 255
-    int pixels = 0;           ///< that differ by more than the level
-    double share = 0.0;       ///< the same as a part of all pixels
-    int patch = 0;            ///< the largest group of them
+    int largest = 0;          ///< largest difference of a channel, of 255
+    int pixels = 0;           ///< number of pixels that differ by more than the level
+    double share = 0.0;       ///< the same, as a share of all pixels
+    int patch = 0;            ///< size of the largest group of them
     double similarity = 1.0;  ///< structural similarity, 1 for equal pictures
 };
 
-/// @param level  of 255: a pixel differs if one of its channels is farther apart than this
+/// @param level  of 255: a pixel differs if one of its channels differs by more than this
 /// @throws std::invalid_argument if the sizes differ
 ImageDifference difference_of(const Image& a, const Image& b, int level);
 
@@ -51,7 +51,7 @@ PixelMask differing(const Image& a, const Image& b, int level);
 ///         C2 = (0.03 · 255)²
 double structural_similarity(const Image& a, const Image& b);
 
-/// `base` in pale grey, with the marked pixels in red: where to look.
+/// `base` in pale grey, with the marked pixels in red, to show where they are.
 Image marked_picture(const Image& base, const PixelMask& mask);
 
 }  // namespace jw::render

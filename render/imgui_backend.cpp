@@ -40,11 +40,11 @@ void main() {
 }
 )";
 
-/// Id of the font atlas in draw data: the one that ImGui gives an atlas without a texture, which no texture
-/// of GL has. So draw data stay valid when the atlas is uploaded anew under another name.
+/// Id of the font atlas in draw data: the one that ImGui gives to an atlas without a texture, and that no GL
+/// texture has. So draw data stay valid when the atlas is uploaded again under another name.
 constexpr GLuint kAtlas = 0;
 
-/// The atlas holds coverage only.
+/// The atlas contains only coverage.
 GlTexture upload_atlas(const GlFunctions& gl, ImFontAtlas& atlas) {
     unsigned char* texels = nullptr;
     int width = 0;
@@ -68,7 +68,7 @@ Eigen::Matrix4d clip_from_picture(const ImDrawData& data) {
     return m;
 }
 
-/// Reads vertices from the one of this number on: indices of ImGui are small, and count from there.
+/// Reads vertices from number `first` on: indices of ImGui are small, and count from there.
 void point_at_vertices(const GlFunctions& gl, std::size_t first) {
     constexpr auto stride = static_cast<GLsizei>(sizeof(ImDrawVert));
     const auto at = [first](std::size_t offset) {
@@ -79,7 +79,7 @@ void point_at_vertices(const GlFunctions& gl, std::size_t first) {
     gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, at(offsetof(ImDrawVert, col)));
 }
 
-/// GL counts pixels from the bottom. @return false if nothing is left to draw in
+/// GL counts pixels from the bottom. @return false if nothing is left to draw into
 bool set_scissor(const GlFunctions& gl, const ImVec4& clip, const ImDrawData& data, const FrameSize& frame) {
     const auto ratio = static_cast<float>(frame.pixel_ratio);
     const auto pixels = [ratio](float length) { return static_cast<GLint>(std::lround(length * ratio)); };
@@ -128,7 +128,7 @@ void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame) const {
             GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data, GL_STREAM_DRAW);
         for (const ImDrawCmd& command : list.CmdBuffer) {
             if (command.UserCallback != nullptr) {
-                // a callback may have drawn on its own
+                // a callback may have changed the state
                 if (command.UserCallback != ImDrawCallback_ResetRenderState) {
                     command.UserCallback(&list, &command);
                 }
@@ -151,7 +151,7 @@ void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame) const {
 }
 
 void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame, const FramePart& part) const {
-    // of the lists a copy has pointers alone
+    // a copy has only pointers to the lists
     ImDrawData shifted = data;
     shifted.DisplayPos.x += static_cast<float>(part.x);
     shifted.DisplayPos.y += static_cast<float>(part.y);

@@ -7,24 +7,24 @@ struct ImDrawData;
 
 namespace jw::render {
 
-/// Draws panels: the draw data of ImGui through our table of GL functions. The backend that comes with ImGui
-/// opens libGL by itself, which knows nothing of an OSMesa context.
+/// Draws panels: the draw data of ImGui through this program's table of GL functions. The backend that comes
+/// with ImGui opens libGL itself, which does not know an OSMesa context.
 class ImguiBackend {
 public:
-    /// Uploads the font atlas of the current ImGui context, built by `load_fonts`, and tells the context what
-    /// this backend can do. Context and `gl` must outlive this.
+    /// Uploads the font atlas of the current ImGui context, built by `load_fonts`, and registers the features
+    /// of this backend in the context. Context and `gl` must outlive this object.
     explicit ImguiBackend(const GlFunctions& gl);
 
-    /// Uploads the atlas again, after `load_fonts` for another scale. Draw data made before show the letters
-    /// of the old atlas in wrong places: fonts are loaded before a frame begins.
+    /// Uploads the atlas again, after `load_fonts` for another scale. Draw data that were made before show
+    /// letters at wrong places of the new atlas, so load fonts before a frame begins.
     void reload_fonts();
 
-    /// Draws into the framebuffer that is bound, over what it shows. Layout is in pixels of the frame; larger
-    /// panels come with larger fonts.
-    /// @throws std::invalid_argument if the data have a framebuffer scale other than 1
+    /// Draws into the bound framebuffer, over its content. Layout is in pixels of the frame; larger panels
+    /// need larger fonts.
+    /// @throws std::invalid_argument if the framebuffer scale of the data is not 1
     void draw(const ImDrawData& data, const FrameSize& frame) const;
 
-    /// Draws a part of the frame, for which buffers of its size are bound. @throws as `draw`
+    /// Draws a part of the frame; buffers of the size of this part are bound. @throws as `draw`
     void draw(const ImDrawData& data, const FrameSize& frame, const FramePart& part) const;
 
 private:

@@ -8,7 +8,7 @@ namespace {
 
 enum class Advance : GLuint { per_vertex = 0, per_instance = 1 };
 
-/// Attribute `location` reads `count` floats at `offset` of every `stride` bytes of the bound buffer.
+/// Attribute `location` reads `count` floats at `offset` in every `stride` bytes of the bound buffer.
 void attribute(
     const GlFunctions& gl, GLuint location, GLint count, std::size_t stride, std::size_t offset,
     Advance advance) {

@@ -9,12 +9,12 @@
 
 namespace jw::render {
 
-/// Meshes on the graphics card, each put there when it is first drawn, and the instances of the moment.
+/// Meshes on the graphics card, each uploaded when it is first drawn, and the current instances.
 class InstancedMeshes {
 public:
     explicit InstancedMeshes(const GlFunctions& gl);
 
-    /// Draws with whatever program and state is set; attributes as in `shaders::body_vertex`.
+    /// Draws with the current program and state; attributes as in `shaders::body_vertex`.
     void draw(const InstanceLists& lists) const;
 
 private:

@@ -9,30 +9,30 @@
 namespace jw::render {
 namespace {
 
-// Rounded edges catch the light and tell one face from the next; more than this looks like soap.
+// Rounded edges catch the light and separate faces; more rounding makes a body look like soap.
 constexpr double kEdgeRounding = 0.14;  // of the smaller half extent
-// Outlines in pixels: bodies get a fine line that separates equal colours, the highlighted one a strong line,
-// and vectors a light rim that lifts them off the bodies they cross.
+// Outlines in pixels: bodies have a fine line that separates equal colours, the highlighted body a strong
+// line, and vectors a light rim that separates them from the bodies that they cross.
 constexpr float kFineEdge = 0.9F;
 constexpr float kStrongEdge = 2.8F;
 constexpr float kLightRim = 1.3F;
 constexpr float kHalo = 3.6F;
-constexpr double kThicker = 1.5;  // a highlighted vector: not its colour alone tells
+constexpr double kThicker = 1.5;  // a highlighted vector is recognised not only by its colour
 constexpr float kEdgeDarkening = 0.62F;
 
 constexpr double kThreadDepth = 0.5;     // of the pitch
 constexpr double kDeepestThread = 0.22;  // of the radius
-constexpr double kMostTurns = 400.0;     // finer threads are below a pixel
+constexpr double kMostTurns = 400.0;     // finer threads are smaller than a pixel
 constexpr double kDashPeriod = 1.7;      // dash and gap, in dashes
 constexpr double kMostDashes = 2000.0;
 
-/// Right-handed frame with z along `axis` and x as near to `side` as can be.
+/// Right-handed frame with z along `axis` and x as near to `side` as possible.
 Pose frame_along(const Vector3d& origin, const Vector3d& axis, const Vector3d& side) {
     Pose pose;
     pose.r = origin;
     const Vector3d z = axis.normalized();
     Vector3d x = side - z * z.dot(side);
-    // a side along the axis (1e-9: nothing but rounding is left of it) gives any perpendicular
+    // if the side lies along the axis (1e-9: only rounding is left of it), any perpendicular is used
     if (x.norm() < 1e-9 * std::max(side.norm(), 1e-9)) { x = z.unitOrthogonal(); }
     x.normalize();
     pose.A.col(0) = x;
@@ -52,7 +52,7 @@ struct Look {
     int id;
 };
 
-/// Adds instances of one look to one group of lists.
+/// Adds instances with the same appearance to one group of lists.
 class Builder {
 public:
     Builder(InstanceLists& lists, const Look& look, const PixelAt& pixel_at)
@@ -116,7 +116,7 @@ public:
         const double pitch = std::abs(screw.pitch);
         const double depth = std::min(kThreadDepth * pitch, kDeepestThread * screw.radius);
         (*this)(Cylinder{screw.from, screw.to, screw.radius - depth});
-        // the ridge climbs one pitch further than it has turns
+        // the ridge reaches one pitch further than the number of its turns
         const double turns = pitch > 0.0 ? std::min(std::floor(length / pitch) - 1.0, kMostTurns) : 0.0;
         const double margin = 0.5 * (length - (turns + 1.0) * pitch);
         const MeshKind kind = screw.pitch > 0.0 ? MeshKind::right_thread : MeshKind::left_thread;
@@ -127,7 +127,7 @@ public:
         }
     }
 
-    /// Shaft and head; a vector shorter than its head is all head, shrunk.
+    /// Shaft and head; a vector that is shorter than a head is only a head, reduced in size.
     void arrow(const Vector3d& from, const Vector3d& to, double radius) {
         const Vector3d along = to - from;
         const double length = along.norm();
@@ -145,7 +145,7 @@ public:
     }
 
 private:
-    /// By the nearer end of round shapes. A box has no round part but its edges.
+    /// Decided by the nearer end of round shapes. A box is round only at its edges.
     Detail detail_of(MeshKind kind, const Pose& pose, const Vector3d& size, double rounding) const {
         if (!pixel_at_) { return Detail::high; }
         const double radius = kind == MeshKind::box ? rounding / kEdgeRounding : size.x() + rounding;
@@ -169,8 +169,8 @@ private:
     const PixelAt& pixel_at_;
 };
 
-/// Calls `piece(from, to)` for every dash of the path, which begins and ends with half a dash. A dash that
-/// goes round a corner comes in two pieces.
+/// Calls `piece(from, to)` for every dash of the path, which begins and ends with half a dash. A dash around
+/// a corner comes in two pieces.
 template <class Piece>
 void for_each_dash(std::span<const Vector3d> path, double dash_length, const Piece& piece) {
     double total = 0.0;
@@ -201,13 +201,13 @@ InstanceLists& list_for(
     return highlighted ? lists.emphasised : lists.see_through;
 }
 
-/// Amber shines on paper and in the dark: it is the same in both tones.
+/// Amber is bright on paper and in the dark, so it is the same in both tones.
 Look halo(const Colour& colour, int id) {
     return {colour, kHalo, with_alpha(palette::kHighlight, colour.a), id};
 }
 
 Look look_of(const Shape& shape, Tone tone) {
-    // a shape seen through bodies is a symbol, not a body
+    // a shape that is visible through bodies is a symbol, not a body
     const Colour colour = shape.see_through ? toned(shape.colour, tone) : shape.colour;
     if (shape.highlighted && shape.see_through) { return halo(colour, shape.id); }
     if (shape.highlighted) { return {colour, kStrongEdge, toned(palette::kInk, tone), shape.id}; }

@@ -9,10 +9,10 @@
 #include "render/scene.hpp"
 #include "render/shapes.hpp"
 
-/// Turns a scene into what the graphics card draws: copies of few meshes. No GL.
+/// Turns a scene into what the graphics card draws: copies of a few meshes. No GL.
 namespace jw::render {
 
-/// One copy of a mesh, laid out as the vertex shader reads it.
+/// One copy of a mesh, in the layout that the vertex shader reads.
 struct Instance {
     Eigen::Matrix<float, 3, 4, Eigen::RowMajor> pose;  ///< mesh frame to global frame
     Eigen::Vector4f size = Eigen::Vector4f::Ones();    ///< of the core: x, y, z, and the inner radius
@@ -30,7 +30,7 @@ static_assert(sizeof(Instance) == 28 * sizeof(float), "attribute pointers assume
 /// Instances of each mesh, by `mesh_number`.
 using InstanceLists = std::array<std::vector<Instance>, kMeshes>;
 
-/// A straight piece of a line, drawn with a constant width on the picture.
+/// A straight piece of a line, drawn with a constant width in the picture.
 struct LineSegment {
     Eigen::Vector3f from;
     Eigen::Vector3f to;
@@ -42,9 +42,9 @@ static_assert(sizeof(LineSegment) == 12 * sizeof(float), "attribute pointers ass
 
 struct DrawLists {
     InstanceLists bodies;       ///< opaque, cast and receive shadow
-    InstanceLists annotations;  ///< opaque: arrows and axes that a body may hide
-    InstanceLists see_through;  ///< opaque, and faintly where hidden
-    InstanceLists emphasised;   ///< the same, where hidden with their outlines
+    InstanceLists annotations;  ///< opaque: arrows and axes that bodies may hide
+    InstanceLists see_through;  ///< opaque, and faint where hidden
+    InstanceLists emphasised;   ///< the same, also with their outlines where hidden
     InstanceLists ghosts;       ///< transparent
     std::vector<LineSegment> lines;
     std::vector<LineSegment> see_through_lines;
@@ -54,8 +54,9 @@ struct DrawLists {
 using PixelAt = std::function<double(const Vector3d& point)>;
 
 /// @param dash_length  of dashed lines and arrows [m], > 0; gaps are 0.7 of it
-/// @param tone  of vectors, axes, lines, outlines and what is seen through bodies; bodies keep their colours
-/// @param pixel_at  decides the detail of each shape; none: all have the highest
+/// @param tone  of vectors, axes, lines, outlines and of what is visible through bodies; bodies keep their
+/// colours
+/// @param pixel_at  decides the detail of each shape; none: all have the highest detail
 DrawLists draw_lists_of(
     const Scene& scene, double dash_length, Tone tone = Tone::light, const PixelAt& pixel_at = {});
 

@@ -10,7 +10,7 @@ namespace {
 struct Run {
     char32_t first;
     char32_t last;
-    char32_t italic;  ///< where the run starts; 0: has no such style
+    char32_t italic;  ///< where the run starts; 0: the style does not exist
     char32_t bold;
     char32_t bold_italic;
 };
@@ -22,7 +22,7 @@ constexpr std::array kRuns{
     Run{U'ϕ', U'ϕ', 0x1D719, 0x1D6DF, 0x1D753}, Run{U'0', U'9', 0, 0x1D7CE, 0},
 };
 
-constexpr char32_t kPlanckConstant = 0x210E;  // Unicode has the italic h here and a hole in the alphabet
+constexpr char32_t kPlanckConstant = 0x210E;  // Unicode has the italic h here, and a gap in the alphabet
 
 // each style has a block of 256 private code points
 constexpr char32_t kItalicBlock = 0xE000;

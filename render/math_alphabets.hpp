@@ -4,18 +4,18 @@
 #include <string_view>
 #include <vector>
 
-/// Letters of formulas. Unicode keeps italic and bold letters of mathematics beyond 16 bits, where ImGui
-/// cannot go, so the formula fonts hold them at private code points.
+/// Letters of formulas. Unicode has italic and bold letters of mathematics beyond 16 bits, which ImGui does
+/// not support, so the formula fonts have them at private code points.
 ///
-/// Letters are a-z, A-Z, Α-Ω, α-ω, ϵ, ϑ, ϕ, and digits for `math_bold`. Any other character comes back as it
-/// is: it looks the same in every style.
+/// Letters are a-z, A-Z, Α-Ω, α-ω, ϵ, ϑ, ϕ, and digits for `math_bold`. Any other character stays unchanged:
+/// it looks the same in every style.
 namespace jw::render {
 
 char32_t math_italic(char32_t letter);
 char32_t math_bold(char32_t letter);
 char32_t math_bold_italic(char32_t letter);
 
-/// Place where a font for mathematics keeps what the formula fonts show at `code_point`.
+/// Where a font for mathematics has the letter that the formula fonts show at `code_point`.
 struct MathGlyph {
     char32_t code_point;  ///< private, 16 bits
     char32_t unicode;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kWidth = "LP_NATIVE_VECTOR_WIDTH";
 
-/// The width as Mesa reads it: decimal, octal or hexadecimal; nothing where it keeps the width of the
+/// The width as Mesa reads it: decimal, octal or hexadecimal; nothing if Mesa uses the width of the
 /// processor.
 std::optional<long> wanted_width() {
     const char* const text = std::getenv(kWidth);
@@ -35,7 +35,7 @@ void settle_mesa() {
     }
     constexpr const char* kNoCache = "MESA_SHADER_CACHE_DISABLE";
     const char* const before = std::getenv(kNoCache);
-    // set once: by now other threads may read the environment
+    // set only once, because other threads may read the environment by now
     if (before == nullptr || std::string_view(before) != "true") { ::setenv(kNoCache, "true", 1); }
 }
 

@@ -1,17 +1,16 @@
 #pragma once
 
-/// Variables of the environment that Mesa obeys at the price of the program.
+/// Environment variables for Mesa that can make this program fail.
 namespace jw::render {
 
-/// Makes the environment one in which Mesa's renderer `llvmpipe` draws; call it before Mesa is loaded, and
+/// Sets the environment so that Mesa's renderer `llvmpipe` can draw. Call it before Mesa is loaded, and
 /// before other threads read the environment.
 ///
-/// With LP_NATIVE_VECTOR_WIDTH set, Mesa's cache on disk is switched off for this process: its keys leave the
-/// width out (Mesa 22.3.6), so shaders for registers of another width would be taken from it and write over
-/// memory.
-/// @throws std::runtime_error if LP_NATIVE_VECTOR_WIDTH is a number other than 128 and 256: Mesa ends the
-/// program
-///         while it draws.
+/// If LP_NATIVE_VECTOR_WIDTH is set, Mesa's cache on disk is switched off for this process: its keys do not
+/// contain the width (Mesa 22.3.6), so shaders for registers of another width would be taken from the cache
+/// and overwrite memory.
+/// @throws std::runtime_error if LP_NATIVE_VECTOR_WIDTH is a number other than 128 and 256, because Mesa
+/// would then end the program while it draws.
 void settle_mesa();
 
 }  // namespace jw::render

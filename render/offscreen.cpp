@@ -7,7 +7,7 @@ namespace jw::render {
 
 namespace {
 
-/// @param width, height  of the picture that is drawn, for the room that it needs
+/// @param width, height  of the picture that is drawn, to check the memory that it needs
 std::unique_ptr<HeadlessContext> context_for(int width, int height) {
     check_address_space(width, height);
     return make_headless_context(chosen_headless_surface());
@@ -21,11 +21,11 @@ Offscreen::Offscreen(int width, int height, int samples)
       targets_(std::make_unique<RenderTargets>(context_->gl(), width, height, samples)) {}
 
 Offscreen::~Offscreen() {
-    // the targets are deleted in their own context, whichever was current
+    // the targets must be deleted in their own context, whichever is current
     try {
         context_->make_current();
     } catch (const std::exception&) {
-        // what is in a context that is lost goes with it
+        // the objects of a lost context are lost with it
     }
 }
 

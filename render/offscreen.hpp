@@ -13,14 +13,14 @@ namespace jw::render {
 
 class HeadlessContext;
 
-/// A picture without a window: a context of OSMesa or EGL and `RenderTargets` in it. Frames as there.
+/// A picture without a window: a context of OSMesa or EGL with `RenderTargets`. Frames are drawn as there.
 ///
-/// Several may live at once. What else was made with `gl` (renderers, textures) must be destroyed while this
-/// context is current: call `make_current` where another one may have been used since.
+/// Several may exist at once. Other objects made with `gl` (renderers, textures) must be destroyed while this
+/// context is current: call `make_current` where another context may have been used since.
 class Offscreen {
 public:
     /// @param samples  see `RenderTargets`
-    /// @throws std::runtime_error if there is no software GL 3.3 or the size is out of its range.
+    /// @throws std::runtime_error if there is no software GL 3.3 or the size is out of range.
     Offscreen(int width, int height, int samples = 4);
     ~Offscreen();
     Offscreen(const Offscreen&) = delete;
@@ -29,14 +29,14 @@ public:
     const GlFunctions& gl() const;
     FrameSize size() const;
 
-    /// Name of the renderer: e.g. "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
+    /// Name of the renderer, such as "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
     std::string renderer() const;
 
     /// Samples per pixel in effect; 1 if drawn at double size.
     int samples() const;
 
-    /// Pictures of another size from now on; programs, meshes and fonts of the context stay.
-    /// @throws std::runtime_error if the size is out of range; then the old one stays.
+    /// From now on, pictures have another size; programs, meshes and fonts of the context stay.
+    /// @throws std::runtime_error if the size is out of range; then the old size stays.
     void resize(int width, int height);
 
     void make_current() const;

@@ -13,7 +13,7 @@ using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 
 constexpr double kPi = std::numbers::pi;
-// At 1e-3 rad a line along the view as long as the picture is high appears less than a pixel long.
+// At 1e-3 rad, a line along the view that is as long as the picture is high appears shorter than a pixel.
 constexpr double kHighest = 0.5 * kPi - 1e-3;
 constexpr double kNearestInSizes = 0.01;
 constexpr double kFarthestInSizes = 10.0;
@@ -25,9 +25,9 @@ struct Stand {
     double distance = 1.0;
 };
 
-/// The shortest turn of a unit vector onto another, a half turn about some perpendicular axis where they are
-/// opposite. Eigen's FromTwoVectors takes that axis from a singular value decomposition: half of the time to
-/// compile this source.
+/// The shortest rotation of one unit vector onto another; for opposite vectors, a half turn about some
+/// perpendicular axis. Eigen's FromTwoVectors takes that axis from a singular value decomposition, which
+/// needs half of the time to compile this source.
 Quaterniond turn_between(const Vector3d& from, const Vector3d& to) {
     constexpr double kOpposite = 1e-12;
     const double cosine = to.dot(from);
@@ -102,7 +102,7 @@ Vector3d level_axis(const Vector3d& up) {
 }
 
 Camera standard_view(const Camera& camera, StandardView view) {
-    // the eye is to the right at azimuth 0 and in front a quarter turn before
+    // the eye is on the right at azimuth 0, and in front a quarter turn earlier
     Stand stand{-0.5 * kPi, 0.0, camera.distance()};
     switch (view) {
         case StandardView::front: break;
@@ -122,7 +122,7 @@ Camera standard_view(const Camera& camera, StandardView view) {
 Camera blended(const Camera& from, const Camera& to, double fraction) {
     if (fraction <= 0.0) { return from; }
     if (fraction >= 1.0) { return to; }
-    // both stands are compared under the same `up`; the turn between the two ups is made on the way
+    // both stands are compared under the same `up`; the rotation between the two `up` is interpolated as well
     const Vector3d up = from.up.normalized();
     const Quaterniond between = turn_between(up, to.up.normalized());
     const Stand first = stand_of(from);

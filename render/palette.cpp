@@ -11,11 +11,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Lightness that white paper, and black ink, get in the dark tone: neither dazzles nor sinks into the black
-// of a projector.
+// Lightness of white paper and of black ink in the dark tone: neither dazzles nor disappears in the black of
+// a projector.
 constexpr double kDarkest = 0.20;
 constexpr double kLightest = 0.96;
-// Lifts what lies between: equal steps of lightness are harder to tell apart on dark ground.
+// Lifts the values between: equal steps of lightness are harder to distinguish on dark ground.
 constexpr double kLift = 0.70;
 
 double linear_from_srgb(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
@@ -51,12 +51,12 @@ Vector3d linear_from_oklab(const Vector3d& lab) {
 
 bool in_gamut(const Vector3d& linear) { return linear.minCoeff() >= 0.0 && linear.maxCoeff() <= 1.0; }
 
-/// Colour of this lightness and hue that is nearest in chroma among those that a screen can show.
+/// The colour of this lightness and hue with the nearest chroma that a screen can show.
 Vector3d shown(const Vector3d& lab) {
     const Vector3d linear = linear_from_oklab(lab);
     if (in_gamut(linear)) { return linear; }
     double grey = 1.0;
-    double full = 0.0;  // share of the chroma that is given up
+    double full = 0.0;  // share of the chroma that is removed
     for (int halving = 0; halving < 12; ++halving) {
         const double middle = 0.5 * (grey + full);
         const Vector3d paler{lab.x(), lab.y() * (1.0 - middle), lab.z() * (1.0 - middle)};

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Colours of every picture: after Okabe and Ito, so that the eight hues stay apart for all common kinds of
-/// colour vision, toned down a little so that large areas stay calm on a projector.
+/// Colours of every picture: based on Okabe and Ito, so that the eight hues can be distinguished with all
+/// common kinds of colour vision; slightly muted, so that large areas are not glaring on a projector.
 namespace jw::render {
 
 /// sRGB, 0 to 1; alpha is not premultiplied.
@@ -46,7 +46,7 @@ inline constexpr Colour kVermilion = from_hex(0xCF5A1C);
 inline constexpr Colour kYellow = from_hex(0xE3C93C);
 inline constexpr Colour kSteel = from_hex(0x8A94A0);
 
-/// Bodies without a colour of their own take these in order.
+/// Bodies without their own colour take these in order.
 inline constexpr std::array kBodies{kBlue, kOrange, kGreen, kPurple, kSky, kVermilion, kYellow};
 
 constexpr Colour body(std::size_t index) { return kBodies[index % kBodies.size()]; }
@@ -83,8 +83,8 @@ inline constexpr Colour kGroundShadow = from_hex(0x6B7683, 0.55F);
 /// Dark ink on light paper, or the other way round.
 enum class Tone { light, dark };
 
-/// Colour of the palette in a tone: unchanged in the light one; in the dark one its lightness is inverted,
-/// and hue and, where a screen can show it, chroma stay.
+/// Colour of the palette in a tone. The light tone does not change it; the dark tone inverts its lightness
+/// and keeps hue and, where a screen can show it, chroma.
 Colour toned(const Colour& colour, Tone tone);
 
 }  // namespace jw::render

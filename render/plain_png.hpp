@@ -7,7 +7,7 @@
 
 namespace jw::render {
 
-/// PNG of an opaque picture as stb_image_write makes it by itself: what `encode_png` is measured against.
+/// PNG of an opaque picture as stb_image_write makes it: the reference for measurements of `encode_png`.
 std::vector<std::uint8_t> encode_png_plainly(const Image& image);
 
 }  // namespace jw::render

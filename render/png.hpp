@@ -7,11 +7,11 @@
 
 #include "render/image.hpp"
 
-/// Pictures as PNG files, byte-deterministic.
+/// Pictures as PNG files; the same picture gives the same bytes.
 namespace jw::render {
 
-/// Encodes pictures one after the other in memory that it keeps: that of the largest. The same picture gives
-/// the same bytes on every machine with the same libdeflate.
+/// Encodes pictures one after the other and keeps its memory, which fits the largest of them. The same
+/// picture gives the same bytes on every machine with the same libdeflate.
 class PngEncoder {
 public:
     PngEncoder();
@@ -19,8 +19,8 @@ public:
     PngEncoder(const PngEncoder&) = delete;
     PngEncoder& operator=(const PngEncoder&) = delete;
 
-    /// A PNG file, with an alpha channel where the picture has one; there until the next one.
-    /// @throws std::invalid_argument if the picture is empty or its size and its data disagree.
+    /// A PNG file, with an alpha channel if the picture has one; valid until the next call.
+    /// @throws std::invalid_argument if the picture is empty or its size does not match its data.
     const std::vector<std::uint8_t>& encode(const Image& image);
 
 private:
@@ -31,7 +31,7 @@ private:
 /// Encodes one picture as `PngEncoder` does.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
-/// "1.14": bytes of pictures depend on it.
+/// Version of libdeflate, "1.14": bytes of pictures depend on it.
 std::string libdeflate_version();
 
 }  // namespace jw::render

@@ -15,11 +15,11 @@ using Bytes = std::span<const std::uint8_t>;
 
 constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::size_t kHeadLength = 13;
-// length, name and check sum around what a chunk holds
+// length, name and checksum around the data of a chunk
 constexpr std::size_t kAroundPart = 12;
 
-/// Bytes that the pixels of a head may unpack to: rows with a filter each, and as many once more for the
-/// seven passes of an interlaced picture, whose rows are short.
+/// Largest number of bytes that the pixels of a head may unpack to: rows with a filter each, and the same
+/// again for the seven passes of an interlaced picture, whose rows are short.
 std::size_t largest_unpacked(Bytes head) {
     const std::size_t width = png_number(head);
     const std::size_t height = png_number(head.subspan(4));
@@ -113,7 +113,8 @@ std::string fault_of_png(Bytes bytes) {
         if (head.empty()) { head = chunk->data; }
         if (head.size() != kHeadLength) { return "its head is too short or too long"; }
         const bool pixels = chunk->type == "IDAT";
-        // allowed, written by nobody, and the decoder copies it to a place that it has not reserved
+        // allowed, but never written in practice; the decoder would copy it to memory that it has not
+        // reserved
         if (pixels && chunk->data.empty()) { return "a part of its pixels is empty"; }
         if (pixels) { packed.insert(packed.end(), chunk->data.begin(), chunk->data.end()); }
         if (chunk->type == "IEND") {

@@ -30,7 +30,7 @@ std::array<std::uint8_t, 4> mean_of_block(const std::uint8_t* rgba, std::size_t 
     return mean;
 }
 
-/// Gives each pixel of the picture, in order, to `put(number, rgba)`. Rows of GL start at the bottom.
+/// Passes each pixel of the picture, in order, to `put(number, rgba)`. Rows of GL start at the bottom.
 template <class Put>
 void for_each_pixel(const std::vector<std::uint8_t>& rgba, const FrameSize& size, const Put& put) {
     const auto width = static_cast<std::size_t>(size.width);
@@ -49,7 +49,7 @@ void for_each_pixel(const std::vector<std::uint8_t>& rgba, const FrameSize& size
     }
 }
 
-/// Blending has left each colour multiplied by its opacity.
+/// Undoes blending, which has multiplied each colour by its opacity.
 void divide_by_opacity(const std::uint8_t* rgba, std::uint8_t* rgb) {
     const unsigned alpha = rgba[3];
     for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -63,7 +63,7 @@ Image picture_of(const std::vector<std::uint8_t>& rgba, const FrameSize& size, b
     Image image{size.width, size.height, std::vector<std::uint8_t>(3 * pixels)};
     if (is_opaque) {
         for_each_pixel(rgba, size, [to = image.rgb.data()](std::size_t n, const std::uint8_t* pixel) {
-            // one by one: three bytes are less than a call of memmove
+            // one by one, because a call of memmove takes longer for three bytes
             to[3 * n] = pixel[0];
             to[3 * n + 1] = pixel[1];
             to[3 * n + 2] = pixel[2];
@@ -78,8 +78,8 @@ Image picture_of(const std::vector<std::uint8_t>& rgba, const FrameSize& size, b
     return image;
 }
 
-/// Number of samples: the wanted one where there is multisampling, else 1: softpipe reports 1 and fails on
-/// more.
+/// Number of samples: the wanted one if there is multisampling, otherwise 1. The driver softpipe reports 1
+/// and fails on more.
 int supported_samples(const GlFunctions& gl, int wanted) {
     const int most = integer(gl, GL_MAX_SAMPLES);
     return most < 2 ? 1 : std::clamp(wanted, 1, most);
@@ -133,7 +133,7 @@ void RenderTargets::show_part(int x, int y, int frame_width, int frame_height) {
 }
 
 RenderTargets::Target RenderTargets::make_target(int samples, Depth depth) const {
-    take_gl_errors(gl_);  // of calls before: not the fault of this one
+    take_gl_errors(gl_);  // errors of earlier calls are not caused by this one
     Target target{make_framebuffer(gl_), {}, {}};
     gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
     if (samples > 0 && mean_) {
@@ -183,8 +183,8 @@ void RenderTargets::end_bodies(const DeviceRect& part) const {
     gl_.Disable(GL_SCISSOR_TEST);
     const Target* resolved = &bodies_;
     if (gl_.profile == GlProfile::es_30) {
-        // Browsers (ANGLE of Chromium 156) lose what lies around a part that samples are averaged into: they
-        // are averaged where nothing is yet.
+        // Browsers (ANGLE of Chromium 156) lose what lies around a part into which samples are averaged, so
+        // the samples are averaged into an empty framebuffer first.
         gl_.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.name());
         copy_part(gl_, bodies_.framebuffer, part);
         resolved = &flat_;
@@ -213,7 +213,7 @@ void RenderTargets::blit_to_window() const {
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, flat_.framebuffer.name());
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    // at double size, linear sampling falls between four device pixels: their mean, as in `read`
+    // at double size, linear sampling falls between four device pixels and gives their mean, as in `read`
     gl_.BlitFramebuffer(
         0, 0, device_width(), device_height(), 0, 0, part_.width, part_.height, GL_COLOR_BUFFER_BIT,
         size_.pixel_ratio == 1 ? GL_NEAREST : GL_LINEAR);

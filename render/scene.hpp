@@ -10,8 +10,8 @@
 
 /// Scene to be drawn, as plain values: no mechanism, no GL, no window. Lengths in m, global frame.
 ///
-/// An `id` names what the pointer hits (see `IdBuffer`): 1 to `kMostIds`, several parts may share one; 0: the
-/// pointer does not see it.
+/// An `id` names what the pointer hits (see `IdBuffer`): 1 to `kMostIds`; several parts may share one. With
+/// id 0, the pointer ignores the part.
 namespace jw::render {
 
 using Eigen::Matrix3d;
@@ -25,7 +25,7 @@ struct Pose {
     Vector3d r = Vector3d::Zero();
 };
 
-/// Edges are rounded by the renderer.
+/// A box whose edges the renderer rounds.
 struct Box {
     Pose pose;
     Vector3d half_size = Vector3d::Constant(0.5);
@@ -66,8 +66,8 @@ struct Ring {
     double wire_radius = 0.02;  ///< of the wire
 };
 
-/// Threaded bolt. The thread is right-handed for pitch > 0; it starts at `from` in the direction `side`,
-/// so it turns with the body when `side` is fixed in the body.
+/// Threaded bolt. The thread is right-handed for pitch > 0. It starts at `from` in the direction `side`, so
+/// it turns with the body if `side` is fixed in the body.
 struct Screw {
     Vector3d from = Vector3d::Zero();
     Vector3d to = Vector3d::UnitZ();
@@ -90,22 +90,22 @@ using Geometry = std::variant<Box, Sphere, Cylinder, Rod, Tube, Ring, Screw, Nut
 struct Shape {
     Geometry geometry;
     Colour colour = palette::kSteel;  ///< alpha < 1: a ghost, drawn last and without shadow
-    bool highlighted = false;         ///< outlined in the ink colour; see-through ones with a halo
-    bool see_through = false;         ///< shows faintly through what hides it: points and pins inside bodies
+    bool highlighted = false;         ///< outlined in the ink colour; see-through shapes also have a halo
+    bool see_through = false;         ///< faintly visible through what hides it: points and pins in bodies
     int id = 0;
 };
 
-/// A vector: shaft and cone, tip at `to`. Nothing is drawn for a zero vector.
+/// A vector: shaft and cone, tip at `to`. A zero vector is not drawn.
 struct Arrow {
     Vector3d from = Vector3d::Zero();
     Vector3d to = Vector3d::UnitZ();
-    double radius = 0.01;  ///< of the shaft; for a constant width on the picture see `pixel_size`
+    double radius = 0.01;  ///< of the shaft; for a constant width in the picture, see `pixel_size`
     Colour colour = palette::kVectorI;
     bool dashed = false;
     bool see_through = true;
     int id = 0;
     bool highlighted =
-        false;  ///< thicker, with a halo that shows through bodies as well if it is see-through
+        false;  ///< thicker, with a halo that is also visible through bodies if the arrow is see-through
 };
 
 /// Axes of a frame: x, y, z in the colours of `palette::kAxes`.
@@ -134,7 +134,7 @@ struct Ground {
     Vector3d point = Vector3d::Zero();
     Vector3d normal = Vector3d::UnitZ();
     double grid = 0.5;    ///< distance of the lines
-    double radius = 5.0;  ///< faded out entirely from here on
+    double radius = 5.0;  ///< distance at which it has faded out entirely
 
     bool operator==(const Ground&) const = default;
 };

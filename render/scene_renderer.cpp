@@ -11,10 +11,10 @@
 namespace jw::render {
 namespace {
 
-constexpr float kHiddenAlpha = 0.50F;  // of what is seen through a body
+constexpr float kHiddenAlpha = 0.50F;  // of what is visible through a body
 
-/// Lamps stand relative to the camera, so every view is lit well: key from the upper left behind the viewer,
-/// fill from the right.
+/// Lights are placed relative to the camera, so that every view is lit well: the key light from the upper
+/// left behind the viewer, the fill light from the right.
 struct Light {
     Vector3d towards_key;
     Vector3d towards_fill;
@@ -38,7 +38,7 @@ const SceneRenderer::Surface SceneRenderer::kAnnotation{0.0F, 0.45F, 1.0F};
 const SceneRenderer::Surface SceneRenderer::kHidden{0.0F, 0.45F, kHiddenAlpha};
 const SceneRenderer::Surface SceneRenderer::kGhost{0.0F, 0.0F, 1.0F};
 
-/// Values that all passes of one frame share.
+/// Values that all passes of a frame share.
 struct SceneRenderer::Pass : SceneView {
     Rect seen_in;
     Light light;
@@ -50,7 +50,7 @@ struct SceneRenderer::Pass : SceneView {
           light(light_for(scene, seen_by)),
           shadow(shadow_view(bounds_of_shapes(scene.shapes), light.towards_key, ShadowMap::kTexels)) {}
 
-    /// Part of the picture that bodies, lines and outlines reach, perhaps beyond the viewport.
+    /// Part of the picture that bodies, lines and outlines cover; it may extend beyond the viewport.
     Rect reached(const FrameSize& frame) const {
         // 1 pixel: soft borders of lines
         const double border = 1.0 + border_of(lists) * static_cast<double>(pixel_scale) / frame.pixel_ratio;
@@ -61,7 +61,7 @@ struct SceneRenderer::Pass : SceneView {
     void set_vertex_uniforms(const GlProgram& program, float edge_scale) const {
         set_solid_uniforms(program, edge_scale);
         program.set("shadow_from_world", shadow.map_from_world);
-        // one and a half texels: what a slope of 45 degrees rises within a tap and its neighbours
+        // one and a half texels: the rise of a slope of 45 degrees within a tap and its neighbours
         program.set(
             "shadow_offset",
             static_cast<float>(
@@ -102,7 +102,7 @@ void SceneRenderer::draw(
     targets.end_bodies(part);
 }
 
-/// Everything but the backdrop, which is copied below it.
+/// Draws everything but the backdrop, which is copied below it.
 void SceneRenderer::draw_solids(const Pass& pass, const DeviceRect& part) const {
     gl_.Enable(GL_SCISSOR_TEST);
     gl_.Scissor(part.x, part.y, part.width, part.height);
@@ -132,7 +132,7 @@ void SceneRenderer::draw_bodies(const Pass& pass) const {
 }
 
 void SceneRenderer::draw_see_through(const Pass& pass) const {
-    // first the hidden parts, so that the visible ones cover their own far sides
+    // hidden parts first, so that the visible parts cover their own far sides
     gl_.DepthFunc(GL_GREATER);
     draw_lines(pass, pass.lists.see_through_lines, kHiddenAlpha);
     gl_.Enable(GL_BLEND);
@@ -149,7 +149,7 @@ void SceneRenderer::draw_see_through(const Pass& pass) const {
 }
 
 void SceneRenderer::draw_emphasised(const Pass& pass) const {
-    // where hidden, the halo shines through what it surrounds
+    // where hidden, the halo is visible through what it surrounds
     gl_.DepthFunc(GL_GREATER);
     gl_.DepthMask(GL_FALSE);
     draw_edges(pass, pass.lists.emphasised);
@@ -163,7 +163,7 @@ void SceneRenderer::draw_emphasised(const Pass& pass) const {
 }
 
 void SceneRenderer::draw_ghosts(const Pass& pass) const {
-    // depth first: only the front of each ghost is seen, not its inside
+    // depth first: only the front of each ghost is visible, not its inside
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl_.Disable(GL_BLEND);
     shade(pass, pass.lists.ghosts, kGhost);

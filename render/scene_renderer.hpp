@@ -10,29 +10,29 @@
 
 namespace jw::render {
 
-/// Number of looks that pictures have had: one more each time that the same scene comes to look otherwise.
-/// Golden pictures of an earlier look are compared without their colours.
+/// Version of the appearance of pictures: one more each time that the same scene looks different. Golden
+/// pictures of an earlier version are compared without their colours.
 inline constexpr int kLook = 2;
 
-/// Draws scenes through a table of GL functions, whoever made the context.
+/// Draws scenes through a table of GL functions, in any context.
 ///
-/// Order of a frame: shadow map, backdrop, ground, bodies and their outlines, annotations, what is seen
-/// through bodies, lines, what is highlighted of these, ghosts.
+/// Order of a frame: shadow map, backdrop, ground, bodies and their outlines, annotations, what is visible
+/// through bodies, lines, highlighted parts of these, ghosts.
 class SceneRenderer {
 public:
     /// Compiles shaders and uploads meshes. The context must be current here, in `draw` and at destruction;
-    /// `gl` must outlive this.
-    /// @throws std::runtime_error with the driver's words if a shader does not compile.
+    /// `gl` must outlive this object.
+    /// @throws std::runtime_error with the message of the driver if a shader does not compile.
     explicit SceneRenderer(const GlFunctions& gl);
 
-    /// Draws into the rectangle `viewport` of the frame that `RenderTargets::begin_3d` has begun. The point
-    /// that `project(camera, viewport, point)` names is where a point appears. Nothing is drawn into a
-    /// viewport without pixels. Bodies have the same colours in both tones; everything else is `toned`.
+    /// Draws into the rectangle `viewport` of the frame that `RenderTargets::begin_3d` has begun. A point
+    /// appears at `project(camera, viewport, point)`. Nothing is drawn into a viewport without pixels. Bodies
+    /// have the same colours in both tones; everything else is `toned`.
     void draw(
         const Scene& scene, const Camera& camera, const Rect& viewport, const RenderTargets& targets,
         Tone tone = Tone::light, Backdrop backdrop = Backdrop::sky) const;
 
-    /// Draws the shadows of a scene alone; `draw` of the same scene then has nothing more to do for them.
+    /// Draws only the shadows of a scene; `draw` of the same scene then does not need to draw them.
     void draw_shadows(
         const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame) const;
 
@@ -44,13 +44,13 @@ private:
 
     /// Response of surfaces to light.
     struct Surface {
-        float shadow_strength;  ///< of the key light, what a body can take from this one
-        float flatness;         ///< 0: shaded, 1: its own colour whatever the light
+        float shadow_strength;  ///< of the key light: how much of it a shadow can take from this surface
+        float flatness;         ///< 0: shaded, 1: its own colour in any light
         float alpha;
     };
     static const Surface kBody;
     static const Surface kAnnotation;  ///< vectors keep the colour that formulas and labels show
-    static const Surface kHidden;      ///< what is seen through a body
+    static const Surface kHidden;      ///< what is visible through a body
     static const Surface kGhost;
 
     void draw_solids(const Pass& pass, const DeviceRect& part) const;

@@ -4,7 +4,7 @@ namespace jw::render {
 namespace {
 
 constexpr double kDashPixels = 9.0;
-constexpr double kReferenceHeight = 720.0;  // widths in pixels are meant for pictures of this height
+constexpr double kReferenceHeight = 720.0;  // widths in pixels are for pictures of this height
 
 PixelAt pixels_of(const Camera& camera, const Rect& viewport, const FrameSize& frame) {
     return [=](const Vector3d& point) { return pixel_size(camera, viewport, point) / frame.pixel_ratio; };
@@ -35,7 +35,8 @@ void SceneView::set_line_uniforms(const GlProgram& program) const {
     program.set("clip_from_world", clip_from_world);
     program.set("clip_per_pixel", clip_per_pixel_x, clip_per_pixel_y);
     program.set("width_scale", pixel_scale);
-    // beyond 0, where there is no direction on the picture, and before the near plane at 5 % of the distance
+    // above 0, where directions in the picture are not defined, and before the near plane at 5 % of the
+    // distance
     program.set("near_w", camera.orthographic ? 0.0F : static_cast<float>(0.01 * camera.distance()));
 }
 

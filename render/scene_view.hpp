@@ -9,10 +9,10 @@
 
 namespace jw::render {
 
-/// A scene as one camera sees it: what picture and id picture have in common, so that they agree.
+/// A scene as one camera sees it. The picture and the id picture share it, so that they agree.
 struct SceneView {
-    /// Detail of meshes: `by_size` as in pictures, `full` whatever the rules for that are: layers of golden
-    /// snapshots are compared to the pixel, also with those of earlier versions.
+    /// Detail of meshes: `by_size` as in pictures; `full` independent of the rules for that, because layers
+    /// of golden snapshots are compared to the pixel, also with those of earlier versions.
     enum class Details { by_size, full };
 
     Camera camera;
@@ -26,7 +26,7 @@ struct SceneView {
         const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame,
         Tone tone = Tone::light, Details details = Details::by_size);
 
-    /// Uniforms of `shaders::body_vertex` but for shadow. @param edge_scale  0 or `pixel_scale`
+    /// Uniforms of `shaders::body_vertex` except those of shadows. @param edge_scale  0 or `pixel_scale`
     void set_solid_uniforms(const GlProgram& program, float edge_scale) const;
 
     /// Uniforms of `shaders::line_vertex`.

@@ -29,20 +29,20 @@ float light_reaching(vec3 at) { return 1.0; }
 
 const char* shadow_lookup(Shadows shadows) { return shadows == Shadows::soft ? kShadow : kNoShadow; }
 
-/// Light is added up in linear units, pictures are stored for the eye.
+/// Light is added in linear units; pictures are stored in sRGB.
 constexpr const char* kTransfer = R"(
 vec3 linear_from_srgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
 vec3 srgb_from_linear(vec3 c) { return max(1.055 * pow(max(c, vec3(0.0)), vec3(0.41666)) - 0.055, vec3(0.0)); }
 )";
 
-/// What of the ground is left far out.
+/// Share of the ground that is still visible far out.
 constexpr const char* kFade = R"(
 in vec2 plane;
 
 float fade() { return 1.0 - smoothstep(0.30, 1.0, length(plane)); }
 )";
 
-/// Three digits to the base 256, exact in 8 bits a channel.
+/// Three digits to the base 256, exact in 8 bits per channel.
 constexpr const char* kIdColour = R"(
 flat in float picked_id;
 uniform float rank;

@@ -15,13 +15,13 @@ GlTexture make_map(const GlFunctions& gl) {
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    // beyond the map everything is lit, as on its border, which no shadow reaches (shadow_view.cpp: kMargin)
+    // everything outside the map is lit, like its border, which no shadow reaches (shadow_view.cpp: kMargin)
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     return map;
 }
 
-/// Leaves the framebuffer that was bound bound.
+/// The framebuffer that was bound stays bound.
 GlFramebuffer make_framebuffer_of(const GlFunctions& gl, const GlTexture& map) {
     GlFramebuffer framebuffer = make_framebuffer(gl);
     const BoundFramebuffer bound(gl, framebuffer);

@@ -13,15 +13,16 @@ namespace jw::render {
 class ShadowMap {
 public:
     static constexpr int kTexels = 512;
-    static constexpr double kBorder = 0.006;  ///< softness of shadows, in widths of the map
+    static constexpr double kBorder = 0.006;  ///< width of soft borders of shadows, in widths of the map
 
     explicit ShadowMap(const GlFunctions& gl);
 
-    /// Draws `casters`, unless the map shows just these from there already. Leaves the framebuffer that was
-    /// bound bound.
+    /// Draws `casters`, unless the map already shows exactly these in this view. The framebuffer that was
+    /// bound stays bound.
     void update(const SceneMeshes& meshes, const InstanceLists& casters, const ShadowView& view);
 
-    /// Number of times that the map has been drawn: as long as it is the same, so are the shadows.
+    /// Number of times that the map has been drawn: the shadows are the same as long as this number is the
+    /// same.
     std::uint64_t version() const { return version_; }
 
     /// View that the map shows; `update` must have been called.
@@ -30,7 +31,7 @@ public:
     /// Binds the map to texture unit 0.
     void bind() const;
 
-    /// Uniforms of the fragment shaders that look shadows up.
+    /// Uniforms of the fragment shaders that read shadows.
     static void set_uniforms(const GlProgram& program);
 
 private:

@@ -7,13 +7,13 @@
 namespace jw::render {
 namespace {
 
-constexpr double kMargin = 1.15;  // room for the soft border, and a border of the map that stays lit
+constexpr double kMargin = 1.15;  // space for the soft border, and a border of the map that stays lit
 constexpr double kStep = 1.25;    // widths are powers of this
 
 constexpr double kGrazing = 0.05;
 constexpr double kTexelMargin = 0.01;  // of the map: ten texels, for blending and for rounding
 
-/// Multiple of `step` next to `value`.
+/// The multiple of `step` that is nearest to `value`.
 double snapped(double value, double step) { return std::round(value / step) * step; }
 
 }  // namespace

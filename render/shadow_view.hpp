@@ -23,8 +23,8 @@ struct ShadowView {
     bool operator==(const ShadowView&) const = default;
 };
 
-/// Covers `casters` seen from the light. The width is stepped so that a moving scene does not make the
-/// borders of its shadow crawl from frame to frame.
+/// Covers `casters` seen from the light. The width changes in steps, so that the borders of shadows do not
+/// crawl from frame to frame while a scene moves.
 /// @param towards_light  unit
 /// @param texels  side of the map
 ShadowView shadow_view(const Bounds& casters, const Eigen::Vector3d& towards_light, int texels);
@@ -36,13 +36,13 @@ struct Parallelogram {
     Vector3d v;
 };
 
-/// The part of a plane outside of which it lies in full light; nothing if rays graze the plane and reach
-/// anywhere. Some shadow must be cast.
+/// The part of a plane that can be in shadow; nothing if rays graze the plane and can reach any place on it.
+/// At least one body must cast a shadow.
 /// @param border  widths of the map by which shadows are softened on each side
 std::optional<Parallelogram> shadow_on_plane(
     const ShadowView& shadow, double border, const Vector3d& point, const Vector3d& normal);
 
-/// Its corners.
+/// Bounds of its corners.
 Bounds bounds_of(const Parallelogram& part);
 
 }  // namespace jw::render

@@ -19,22 +19,22 @@ constexpr float kPi = std::numbers::pi_v<float>;
 /// Numbers of points.
 struct Points {
     int around;    ///< a circle
-    int vector;    ///< a circle of a vector, which is thin, and of which there are many
-    int quarter;   ///< the quarter of a circle at the end of a rod, its first point not counted
-    int rounding;  ///< the quarter of a circle at an edge, its first point not counted
+    int vector;    ///< a circle of a vector: vectors are thin and many
+    int quarter;   ///< the quarter of a circle at the end of a rod, without its first point
+    int rounding;  ///< the quarter of a circle at an edge, without its first point
 };
 
 constexpr std::array<Points, kDetails> kPoints{
     {{12, 12, 3, 1}, {18, 18, 4, 1}, {28, 18, 6, 2}, {36, 18, 8, 2}}};
 
-/// What a polygon may miss of its circle [pixels]: nothing that the smoothing of borders would show.
+/// Largest distance of a polygon from its circle [pixels]: less than the smoothing of borders would show.
 constexpr double kMostMissed = 0.15;
 
 Points points_of(Detail detail) { return kPoints[static_cast<std::size_t>(detail)]; }
 
 Vector2f direction(float angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// A point of the outline that is turned about z.
+/// A point of the outline that is rotated about z.
 struct ProfilePoint {
     float radius;
     float z;
@@ -103,7 +103,7 @@ Mesh lathe(const std::vector<ProfilePoint>& profile, const std::vector<SectionPo
     Mesh mesh;
     for (const ProfilePoint& p : profile) {
         for (const SectionPoint& s : section) {
-            // a hole is round whatever the outside is
+            // a hole is round for any shape of the outside
             const Vector2f core = p.radius * (p.inner ? s.normal : s.core);
             mesh.vertices.push_back({
                 {core.x(), core.y(), p.z, p.inner ? 1.0F : 0.0F},
@@ -163,8 +163,8 @@ Mesh cone(Points points) {
     return lathe(profile, circle(points.vector));
 }
 
-/// Every face is a grid; on either half of it one corner's normals, spread like the squares of a cube
-/// blown up to a sphere, so that the faces meet without a seam.
+/// Every face is a grid. Each half of it has the normals of one corner, spread like the squares of a cube
+/// inflated to a sphere, so that the faces meet without a seam.
 Mesh box(Points points) {
     struct Step {
         float core;

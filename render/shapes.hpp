@@ -32,14 +32,15 @@ enum class MeshKind : std::uint8_t {
 inline constexpr std::size_t kMeshKinds = 10;
 inline constexpr float kConeLength = 2.7F;
 
-/// Fineness of a mesh. A software renderer pays for every vertex in every pass, and for a whole block of
-/// pixels for every triangle that touches it: triangles thinner than a pixel cost more than all the rest.
+/// Fineness of a mesh. A software renderer needs time for every vertex in every pass, and for a whole block
+/// of pixels for every triangle that touches it: triangles thinner than a pixel take more time than all the
+/// rest.
 enum class Detail : std::uint8_t { coarse, low, medium, high };
 
 inline constexpr std::size_t kDetails = 4;
 
-/// The least detail of which no corner stands out.
-/// @param radius  of the shape on the picture [pixels]; NaN and what is behind the eye, < 0: `high`
+/// The lowest detail with which no corner is visible.
+/// @param radius  of the shape in the picture [pixels]; NaN and values < 0 (behind the eye): `high`
 Detail detail_for(double radius);
 
 struct MeshVertex {

@@ -5,7 +5,7 @@
 
 #include "render/gl_functions.hpp"
 
-/// ImGui hands on the names of textures as `ImTextureID`: a pointer in ImGui 1.86, an integer in later
+/// ImGui passes on the names of textures as `ImTextureID`: a pointer in ImGui 1.86, an integer in later
 /// versions.
 namespace jw::render {
 

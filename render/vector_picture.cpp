@@ -35,7 +35,7 @@ cairo_status_t append(void* to, const unsigned char* data, unsigned length) {
 }  // namespace
 
 struct VectorPicture::Surface {
-    /// A font as cairo takes it, which keeps the face as long as it needs it.
+    /// A font for cairo, which keeps the face as long as it needs it.
     struct Font {
         std::shared_ptr<FontFace> face;
         cairo_font_face_t* handle = nullptr;
@@ -52,7 +52,7 @@ struct VectorPicture::Surface {
                       : cairo_pdf_surface_create_for_stream(&append, &bytes, width, height);
         if (format == VectorFormat::svg) { cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX); }
         if (format == VectorFormat::pdf) {
-            // the same picture gives the same bytes whenever it is made
+            // the same picture gives the same bytes at any time
             cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
         }
         cairo = cairo_create(surface);

@@ -13,8 +13,8 @@ namespace jw::render {
 
 enum class VectorFormat { svg, pdf };
 
-/// A picture of lines, areas and letters as an SVG or PDF file: sharp at any size. Letters of a PDF are text
-/// that can be searched; in an SVG they are outlines. Lengths in pixels of the picture, y down.
+/// A picture of lines, areas and letters as an SVG or PDF file, sharp at any size. Letters of a PDF are
+/// searchable text; in an SVG they are outlines. Lengths in pixels of the picture, y down.
 class VectorPicture {
 public:
     struct Point {
@@ -34,16 +34,16 @@ public:
     void line(Point from, Point to, const Colour& colour, double thickness);
     void disc(Point centre, double radius, const Colour& colour);
     void ring(Point centre, double radius, const Colour& colour, double thickness);
-    /// Colours change evenly between the corners.
+    /// A triangle whose colours are interpolated between the corners.
     void triangle(const std::array<Point, 3>& corners, const std::array<Colour, 3>& colours);
-    /// A letter of a font, unhinted. @param pen where it begins on its baseline @param stretch in height
+    /// A letter of a font, unhinted. @param pen  where it begins on its baseline @param stretch  in height
     void letter(
         Point pen, const FontFile& font, char32_t unicode, double pixels_per_em, const Colour& colour,
         double stretch = 1.0);
-    /// Pixels in a rectangle of the picture.
+    /// A picture of pixels, drawn in a rectangle.
     void image(const Image& image, Point corner, double width, double height);
 
-    /// The file; nothing can be drawn after it. @throws std::runtime_error with the words of cairo
+    /// The file; nothing can be drawn afterwards. @throws std::runtime_error with the message of cairo
     std::vector<std::uint8_t> finish();
 
 private:

@@ -13,7 +13,8 @@ namespace jw {
 
 namespace {
 
-/// Files as given, or by their name in the catalogue; by default all of it but what fails on purpose.
+/// Files: paths as given, or names in the catalogue; by default the whole catalogue except lessons that fail
+/// on purpose.
 std::vector<std::filesystem::path> driven_files_of(const std::vector<std::string>& scenes) {
     std::vector<std::filesystem::path> shipped = lessons_below(catalogue_folder());
     if (!scenes.empty()) { return named_lessons(scenes, shipped); }

@@ -7,7 +7,7 @@
 
 namespace jw {
 
-/// `jointwise bench --kinematics`: lessons by file or name; by default all shipped ones that move by drivers.
+/// `jointwise bench --kinematics`: lessons by file or name; by default all shipped lessons that drivers move.
 /// @throws CommandError for a lesson without a driven motion
 Exit bench_kinematics(
     const std::vector<std::string>& scenes, const std::string& format, const Streams& streams);

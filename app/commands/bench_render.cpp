@@ -31,10 +31,10 @@ constexpr std::array<const char*, 7> kStages{"view and picture", "shadow", "scen
 struct RenderTimes {
     std::string name;
     int pictures = 0;
-    double first = 0.0;  ///< from nothing to the first file [s], the story not included
-    std::array<double, kStages.size()> stages{};  ///< of a picture, one after the other [s]
-    double loop = 0.0;                            ///< of a picture by a clock of its own, from end to end [s]
-    double plain = 0.0;                           ///< of a picture in the plain loop [s]
+    double first = 0.0;                           ///< from the start to the first file [s], without the story
+    std::array<double, kStages.size()> stages{};  ///< per picture, one after the other [s]
+    double loop = 0.0;                            ///< per picture from end to end, by a separate clock [s]
+    double plain = 0.0;                           ///< per picture in the plain loop [s]
 
     double all() const { return std::accumulate(stages.begin(), stages.end(), 0.0); }
 };
@@ -46,7 +46,7 @@ double seconds_since(Clock::time_point& last) {
     return seconds;
 }
 
-/// A folder that is taken away again.
+/// A folder that is removed at the end.
 class ScratchFolder {
 public:
     ScratchFolder() {
@@ -66,7 +66,7 @@ private:
     fs::path path_;
 };
 
-/// Steps of the motion, evenly spread.
+/// Steps of the motion at equal distances.
 std::vector<int> moments_of(const Story& story) {
     std::vector<int> moments;
     for (std::size_t k = 0; k < story.steps().size(); ++k) {
@@ -144,7 +144,7 @@ void write_table(const RenderTimes& times, const PixelSize& size, std::ostream& 
             {kStages[k], number_cell("%.2f", 1e3 * times.stages[k]),
              number_cell("%.0f", 100.0 * times.stages[k] / times.all()) + " %"});
     }
-    // what the clocks of the stages have missed
+    // the time that the clocks of the stages have missed
     table.push_back({"between them", number_cell("%.2f", 1e3 * (times.loop - times.all())), ""});
     table.push_back(
         {"all, one after the other", number_cell("%.2f", 1e3 * times.all()),

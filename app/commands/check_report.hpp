@@ -10,12 +10,12 @@
 /// Results of `jointwise check` and their forms: text, JSON, JUnit.
 namespace jw {
 
-/// Claims of one lesson, judged, or why there is nothing to judge.
+/// The judged claims of one lesson, or why there is nothing to judge.
 struct CheckedLesson {
     std::string file;
     std::string title;
     std::vector<std::string> tried;   ///< experiments that were carried out first, in words
-    int not_judged = 0;               ///< claims about what an experiment has taken out
+    int not_judged = 0;               ///< claims about parts that an experiment has taken out
     std::vector<ClaimResult> claims;  ///< in the order of the file
     std::string error;                ///< why the lesson was not checked, as on standard error; else empty
     std::vector<Diagnostic> diagnostics;  ///< what is wrong with its file
@@ -25,18 +25,18 @@ struct CheckedLesson {
     bool claims_nothing() const { return error.empty() && claims.empty(); }
 };
 
-/// How a report is written.
+/// Style of a report.
 struct CheckStyle {
-    bool quiet = false;           ///< of claims only those that fail; text only
+    bool quiet = false;           ///< only claims that fail; only in text
     bool require_claims = false;  ///< a lesson without claims fails
 };
 
-/// Text of one lesson; nothing for one with an error.
+/// Writes the text for one lesson; nothing if it has an error.
 void write_text(const CheckedLesson& lesson, const CheckStyle& style, std::ostream& out);
-/// docs/command-line.md describes the keys.
+/// The keys are described in docs/command-line.md.
 void write_json(
     const std::vector<CheckedLesson>& lessons, const CheckStyle& style, int exit_status, std::ostream& out);
-/// A testsuite per lesson, a testcase per claim.
+/// One testsuite per lesson, one testcase per claim.
 void write_junit(const std::vector<CheckedLesson>& lessons, const CheckStyle& style, std::ostream& out);
 
 }  // namespace jw

@@ -13,7 +13,7 @@ namespace jw {
 namespace {
 
 std::string with_number(char32_t c, const std::string& text) {
-    // the character as it stands in the text
+    // the character as it is written in the text
     for (std::size_t k = 0; k < text.size(); ++k) {
         if ((static_cast<unsigned char>(text[k]) & 0xC0U) == 0x80U) { continue; }
         std::size_t end = k + 1;

@@ -8,7 +8,7 @@
 
 namespace jw {
 
-/// Warnings about the texts of a file: those that are missing in a language, and characters that no font has.
+/// Warnings about the texts of a file: texts missing in a language, and characters that no font has.
 std::vector<Diagnostic> warnings_about_texts(const std::string& file, const std::vector<ReadText>& texts);
 
 }  // namespace jw

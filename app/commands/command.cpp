@@ -30,7 +30,7 @@ Lesson lesson_of(const std::filesystem::path& path, const Streams& streams) {
 }
 
 std::string fault_of_step(const std::string& text) {
-    if (!text.starts_with('-')) { return {}; }  // what is no number at all is said by the conversion
+    if (!text.starts_with('-')) { return {}; }  // the conversion reports what is not a number at all
     return text + " is below 0; expected a step, counted from 0";
 }
 

@@ -19,10 +19,10 @@ enum class Exit {
     done = 0,
     check_failed = 1,
     bad_input = 2,  ///< bad usage, a lesson with mistakes, a folder that cannot be written
-    numerics = 3,   ///< the numerics could not do it
+    numerics = 3,   ///< the numerics failed
 };
 
-/// Ends a command; `what()` goes to standard error as it is.
+/// Ends a command; `what()` is written to standard error unchanged.
 class CommandError : public std::runtime_error {
 public:
     CommandError(Exit exit, const std::string& message) : std::runtime_error(message), exit_(exit) {}
@@ -43,7 +43,7 @@ private:
     std::vector<Diagnostic> diagnostics_;
 };
 
-/// Error in what a command was given.
+/// Error in the input of a command.
 CommandError bad_input(const std::string& message);
 /// Error in an option of a command, with a hint at its help.
 CommandError bad_option(const std::string& command, const std::string& message);
@@ -55,18 +55,19 @@ struct Streams {
     bool err_is_terminal = false;
     /// True if `out` or `err` is redirected into that file; empty: never.
     std::function<bool(const std::filesystem::path&)> goes_into = {};
-    /// The file of the running program and its arguments, to start it several times; empty: that cannot be.
+    /// The file of the running program and its arguments, to start it again; empty: it cannot be started
+    /// again.
     std::vector<std::string> command_line = {};
 };
 
-/// The lesson in `path`; warnings go to `streams.err`.
+/// Reads the lesson in `path`; warnings go to `streams.err`.
 /// @throws FaultyFile with all diagnostics of the file; CommandError (bad_input) if `streams` go into it
 Lesson lesson_of(const std::filesystem::path& path, const Streams& streams);
 
 /// Validator for CLI11's `check`: says what is wrong with a whole number below 0; empty if nothing is.
 std::string fault_of_step(const std::string& text);
 
-/// A bar on a terminal, nothing elsewhere; gone when it is destroyed.
+/// A progress bar on a terminal, nothing elsewhere; it disappears when it is destroyed.
 class ProgressBar {
 public:
     ProgressBar(const Streams& streams, std::string what);

@@ -33,14 +33,14 @@ OptionHelp help_of(const CLI::Option& option) {
 CommandHelp help_of_command(const CLI::App& command) {
     CommandHelp help{command.get_name(), command.get_description(), command.get_footer(), {}, {}, {}};
     for (const CLI::Option* option : command.get_options()) {
-        if (option->get_group().empty()) { continue; }  // hidden
+        if (option->get_group().empty()) { continue; }  // hidden option
         const bool positional = option->get_snames().empty() && option->get_lnames().empty();
         (positional ? help.positionals : help.options).push_back(help_of(*option));
     }
     return help;
 }
 
-/// Adds the commands of a program, or those that are parts of a command.
+/// Adds the commands of a program, or the parts of a command.
 void add_commands(const CLI::App& app, const std::string& before, std::vector<CommandHelp>& commands) {
     for (const CLI::App* command : app.get_subcommands({})) {
         if (command->get_group().empty()) { continue; }

@@ -9,8 +9,8 @@ namespace CLI {
 class App;
 }
 
-/// The commands of the program, one per file. Each adds its options to `app`; when the command line names it,
-/// `run` is set to what it does.
+/// The commands of the program, one per file. Each adds its options to `app`, and sets `run` to its action if
+/// the command line names it.
 namespace jw {
 
 using Run = std::function<Exit()>;

@@ -14,7 +14,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
     return text;
 }
 
-/// First line alone: shells show one.
+/// The first line only: shells show one line.
 std::string one_line(const std::string& description) { return description.substr(0, description.find('\n')); }
 
 std::vector<std::string> all_names(const CommandHelp& command) {
@@ -25,10 +25,10 @@ std::vector<std::string> all_names(const CommandHelp& command) {
     return names;
 }
 
-/// "snapshot record", which is proposed after "snapshot" alone.
+/// True for "snapshot record", which is proposed only after "snapshot".
 bool is_part(const CommandHelp& command) { return command.name.find(' ') != std::string::npos; }
 
-/// "snapshot" of "snapshot record", nothing of "render".
+/// "snapshot" for "snapshot record", nothing for "render".
 std::string whole_of(const CommandHelp& command) {
     const std::size_t space = command.name.rfind(' ');
     return space == std::string::npos ? "" : command.name.substr(0, space);
@@ -46,7 +46,7 @@ std::vector<std::string> command_names(const ProgramHelp& help) {
     return names;
 }
 
-/// Words that the arguments of a command without a name can be; empty where these are files.
+/// Words that the positional arguments of a command can be; empty if these are files.
 std::vector<std::string> words_of_positionals(const CommandHelp& command) {
     if (!command.parts.empty()) { return command.parts; }
     for (const OptionHelp& positional : command.positionals) {
@@ -57,7 +57,7 @@ std::vector<std::string> words_of_positionals(const CommandHelp& command) {
 
 // ---- bash
 
-/// Cases "command option" of options that take a value; `command` is empty for those of the program.
+/// Cases "command option" for options that take a value; `command` is empty for those of the program.
 std::string bash_values(const CommandHelp& command, const std::string& name) {
     std::string text;
     for (const OptionHelp& option : command.options) {
@@ -118,7 +118,7 @@ std::string for_bash(const ProgramHelp& help) {
 
 // ---- zsh
 
-/// For single quotes of zsh, in which _arguments reads [ ] : itself.
+/// Text for single quotes of zsh; _arguments itself reads [ ] : in it.
 std::string zsh_text(const std::string& text) {
     std::string safe = replaced(one_line(text), "\\", "\\\\");
     for (const char* special : {"[", "]", ":"}) {

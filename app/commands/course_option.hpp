@@ -9,15 +9,15 @@
 
 namespace jw {
 
-/// Exercises of files, in their order.
+/// Exercises of several files, in their order.
 struct ExerciseSet {
     std::string title;  ///< of the first file
     std::vector<Exercise> exercises;
 };
-/// @throws CommandError (bad_input) with everything that is wrong, names that occur twice included
+/// @throws CommandError (bad_input) with all mistakes, including names that occur twice
 ExerciseSet exercises_of(const std::vector<std::string>& files);
 
-/// The key of a course. @throws CommandError (bad_input) with everything that is wrong
+/// The key of a course. @throws CommandError (bad_input) with all mistakes
 CourseKey key_of(const std::string& file);
 
 }  // namespace jw

@@ -60,7 +60,7 @@ std::vector<std::pair<std::string, std::string>> versions() {
         {"libdeflate", render::libdeflate_version()}};
 }
 
-/// The folder of lessons is one that somebody chose.
+/// True if somebody has chosen the folder of lessons.
 bool folder_is_own() {
     const char* const chosen = std::getenv("JOINTWISE_LESSONS");
     return chosen != nullptr && *chosen != '\0';
@@ -118,7 +118,7 @@ std::string describe(const LessonsReport& lessons) {
     return std::to_string(lessons.count) + " in " + lessons.folder.string();
 }
 
-/// Nothing is absent or wrong but what is there and cannot be used.
+/// True if nothing is missing and nothing draws wrong: at most, parts are damaged.
 bool only_damaged(const Diagnosis& diagnosis) {
     const auto fits = [](Outcome state) {
         return state != Outcome::missing && state != Outcome::draws_wrong;
@@ -198,7 +198,7 @@ Exit exit_of(const Diagnosis& diagnosis) {
 
 namespace {
 
-/// Optional parts that are missing.
+/// Describes missing optional parts.
 std::string wishes_of(const Diagnosis& diagnosis) {
     std::string text;
     for (const render::FontSource& font : diagnosis.fonts) {

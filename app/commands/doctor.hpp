@@ -17,7 +17,7 @@ namespace jw {
 struct LessonsReport {
     enum class State { right, missing, damaged };
     State state = State::right;
-    std::filesystem::path folder;  ///< empty if nobody looked
+    std::filesystem::path folder;  ///< empty if it was not looked for
     int count = 0;                 ///< of lessons that can be read
     std::string problem;           ///< empty if there is none
     std::string remedy;            ///< likewise
@@ -30,13 +30,13 @@ struct Diagnosis {
     std::vector<SurfaceReport> surfaces;
     std::vector<render::FontSource> fonts;
     LessonsReport lessons;
-    std::vector<std::pair<std::string, std::string>> versions;  ///< of what the program is made of
+    std::vector<std::pair<std::string, std::string>> versions;  ///< of the program's components
 };
 
-/// Looks at everything; takes a second.
+/// Checks everything; takes about a second.
 Diagnosis diagnose(const SurfaceDoctor& doctor_window);
 
-/// numerics (3) where a surface draws wrong, bad_input (2) where something is missing or damaged, else done.
+/// numerics (3) if a surface draws wrong, bad_input (2) if something is missing or damaged, otherwise done.
 Exit exit_of(const Diagnosis& diagnosis);
 /// "everything needed is there", or what to do.
 std::string verdict_of(const Diagnosis& diagnosis);

@@ -18,10 +18,10 @@ namespace jw {
 
 namespace {
 
-// size at which the letters of a figure have those of a picture 720 high
+// at this size, the letters of a figure are as large as those of a picture 720 high
 constexpr float kFigureWidth = 576.0F;
 constexpr float kFigureHeight = 360.0F;
-// room for names beside the bodies, at that size
+// room for names beside the bodies at that size
 constexpr double kFigureMargin = 34.0;
 
 }  // namespace

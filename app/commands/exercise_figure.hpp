@@ -8,12 +8,12 @@
 
 namespace jw {
 
-/// Draws figures of exercises: a lesson's scene without panels. Bodies, joints, their names and vectors;
-/// nothing that tells numbers, rank or rows. What is expensive, context, shaders and fonts, is made once for
-/// all figures; a figure depends on its lesson alone, not on those drawn before.
+/// Draws figures of exercises: a lesson's scene without panels. They show bodies, joints, their names and
+/// vectors, but no numbers, rank or rows. Context, shaders and fonts are expensive, so they are made once for
+/// all figures. A figure depends only on its lesson, not on figures drawn before.
 class ExerciseFigures {
 public:
-    /// Pixels.
+    /// @param width,height  in pixels
     /// @throws std::runtime_error if OSMesa or a font is missing
     ExerciseFigures(int width, int height);
     ~ExerciseFigures();
@@ -22,8 +22,7 @@ public:
 
     /// A PNG file; the same lesson gives the same bytes.
     /// @param as_given  true: all joints and drivers at the poses of the file, whether they fit or not;
-    /// false:
-    ///                  everything put together, and as given where that is impossible
+    ///                  false: everything assembled, or as given if that is impossible
     std::vector<std::uint8_t> png_of(const Lesson& lesson, bool as_given);
 
 private:

@@ -16,24 +16,24 @@ namespace jw {
 
 void add_try_option(CLI::App& command, std::vector<std::string>& experiments);
 
-/// A lesson as it is after all experiments, and what they did in words.
+/// A lesson after all experiments, and what these did in words.
 struct ChangedLesson {
     Lesson lesson;
     std::vector<std::string> done;
 };
 
 /// Carries out all of `experiments` and says in words what they did.
-/// @throws CommandError (bad_input) for what cannot be done
+/// @throws CommandError (bad_input) for an experiment that cannot be carried out
 std::vector<std::string> carry_out_all(Session& session, const std::vector<std::string>& experiments);
 
-/// The lesson in `path` with everything in `experiments` done to it, one after the other.
-/// @throws CommandError (bad_input) for a lesson with mistakes and as carry_out_all
+/// The lesson in `path` after all of `experiments`, one after the other.
+/// @throws CommandError (bad_input) for a lesson with mistakes, and as carry_out_all does
 ChangedLesson lesson_of(
     const std::filesystem::path& path, const std::vector<std::string>& experiments, const Streams& streams);
 
-/// A line each, "tried: hinge: drop x"; empty if nothing was.
+/// One line each, "tried: hinge: drop x"; empty if nothing was done.
 std::string done_text(const std::vector<std::string>& done);
-/// Adds key "tried" if something was.
+/// Adds the key "tried" if something was done.
 void add_done(Json& json, const std::vector<std::string>& done);
 
 }  // namespace jw

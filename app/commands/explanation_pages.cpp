@@ -34,7 +34,7 @@ const char* words_for(Setting setting) {
     return "FILE";
 }
 
-/// What the wrong example is answered with; empty where that depends on the files of a machine.
+/// The messages for the wrong example; empty if they depend on the files of a machine.
 std::vector<std::string> messages_of(const Explanation& page) {
     std::vector<std::string> messages;
     if (page.setting == Setting::path) { return messages; }

@@ -4,16 +4,16 @@
 
 #include "lessons/explanations/explanations.hpp"
 
-/// Pages about the codes of diagnostics and their forms.
+/// Pages about the codes of diagnostics, in several formats.
 namespace jw {
 
 /// All codes with their titles.
 void write_list(std::ostream& out);
 /// The page about a code, for a terminal.
 void write_page(const Explanation& page, std::ostream& out);
-/// Of all pages this is docs/diagnostics.md.
+/// For all pages, the result is docs/diagnostics.md.
 void write_markdown(const std::vector<Explanation>& pages, std::ostream& out);
-/// docs/command-line.md describes the keys.
+/// The keys are described in docs/command-line.md.
 void write_json(const std::vector<Explanation>& pages, std::ostream& out);
 
 }  // namespace jw

@@ -28,7 +28,7 @@ void add_format_option(
             ->type_name("FORMAT");
     };
     CLI::Option* const option = add("--format");
-    // an empty group is not shown
+    // help does not show an empty group
     CLI::Option* const output = add("--output")->group("")->excludes(option);
     if (std::ranges::find(words, "json") == words.end()) { return; }
     command.add_flag_callback("--json", [&format] { format = "json"; })

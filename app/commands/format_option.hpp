@@ -9,11 +9,11 @@ class App;
 
 namespace jw {
 
-/// Adds `--format WORD`: what a command writes is one of `words`, of which the first is the default and is
-/// put into `format`. `--output WORD` and, where "json" is a word, `--json` still say the same and are in no
-/// help.
+/// Adds `--format WORD`: the command writes the format that one of `words` names; the first is the default
+/// and is put into `format`. `--output WORD` and, if "json" is a word, `--json` do the same, but no help
+/// shows them.
 /// @param format  must live until the command runs
-/// @param help    in place of the list of words
+/// @param help    replaces the list of words
 void add_format_option(
     CLI::App& command, std::string& format, const std::vector<std::string>& words,
     const std::string& help = {});

@@ -2,8 +2,8 @@
 
 #include "app/commands/command_line.hpp"
 
-/// Program of the commands that tell, compute and draw one lesson, for ./dev run, which finds them here:
-/// built without exercises, sites, snapshots, hard cases and the window.
+/// Program with the commands that tell, compute and draw one lesson. ./dev run finds it here. It is built
+/// without exercises, sites, snapshots, hard cases and the window.
 int main(int argc, char** argv) {
     using jw::AddCommand;
     static const std::array commands{

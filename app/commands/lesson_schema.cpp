@@ -8,10 +8,10 @@ namespace jw {
 
 namespace {
 
-// what editors for TOML know: draft 7
+// editors for TOML know draft 7
 constexpr const char* kDraft = "http://json-schema.org/draft-07/schema#";
 
-// BCP 47 as lessons/language_tag.hpp takes it
+// BCP 47, as accepted by lessons/language_tag.hpp
 constexpr const char* kLanguageTag =
     "[a-z]{2,3}(-[A-Z][a-z]{3})?(-([A-Z]{2}|[0-9]{3}))?(-([a-z0-9]{5,8}|[0-9][a-z0-9]{3}))*$";
 
@@ -75,7 +75,7 @@ Json value_of(const Key& key) {
 Json property(const SpelledKey& key) {
     const Json value = value_of(*key.key);
     Json described{{"description", key.about}};
-    // draft 7 looks at nothing that stands beside a reference
+    // draft 7 ignores everything beside a reference
     if (value.contains("$ref")) {
         described["allOf"] = Json::array({value});
     } else {
@@ -84,7 +84,7 @@ Json property(const SpelledKey& key) {
     return described;
 }
 
-/// Texts of a table in another language, under its tag; a key of the table itself is no language.
+/// Texts of a table in another language, under its tag; a key of the table itself is not a language.
 void add_languages(const KeyTable& table, Json& out) {
     Json texts = Json::object();
     std::string keys;

@@ -6,7 +6,7 @@
 
 namespace {
 
-/// The window's part of `jointwise doctor`.
+/// The part of `jointwise doctor` for the window.
 jw::SurfaceReport examine_window() {
     jw::SurfaceReport report;
     report.name = "window";
@@ -15,13 +15,13 @@ jw::SurfaceReport examine_window() {
         report.remedy = "pictures and text need none; for a window without a screen use xvfb-run";
         return report;
     }
-    // before anything loads them
+    // checked before anything loads them
     constexpr std::array libraries{
         jw::Library{"libGLX.so.0", "libglx0"}, jw::Library{"libGL.so.1", "libgl1"},
         jw::Library{"libGLX_mesa.so.0", "libglx-mesa0"}};
     jw::SurfaceReport blamed = report;
     const bool library_is_bad = jw::blame_library(blamed, libraries);
-    // one that is damaged would end the program; without one that is missing another may do
+    // a damaged library would end the program; in place of a missing one, another may work
     if (library_is_bad && blamed.state == jw::SurfaceReport::State::damaged) { return blamed; }
     try {
         jw::with_hidden_window([&](const jw::render::GlFunctions& gl) { jw::examine(gl, report); });

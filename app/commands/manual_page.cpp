@@ -6,7 +6,7 @@ namespace jw {
 
 namespace {
 
-/// Text for roff: what it would take for its own is what it is.
+/// Escapes text for roff, so that no character has a special meaning.
 std::string roff(const std::string& text) {
     std::string safe;
     for (std::size_t k = 0; k < text.size(); ++k) {
@@ -25,7 +25,7 @@ std::string roff(const std::string& text) {
     return safe;
 }
 
-/// Lines as they are: line feeds of a text for people are paragraphs of their own.
+/// Keeps lines: each line feed of a text starts a new line.
 std::string lines(const std::string& text) {
     std::string all;
     for (std::size_t at = 0; at < text.size();) {

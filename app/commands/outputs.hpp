@@ -6,9 +6,9 @@
 
 namespace jw {
 
-/// Looks at an output before anything is computed: whether it can be written, and whether it is one of the
-/// files that are read, under this name or another one, link or not. Fonts are read by everything that draws.
-/// @param option  that names the output
+/// Checks an output before anything is computed: it must be writable, and must not be one of the files that
+/// are read, under any name, link or not. Fonts count, too, since everything that draws reads them.
+/// @param option  names the output
 /// @throws CommandError (bad_input) or std::runtime_error
 void check_output(
     const std::string& option, const std::filesystem::path& output,

@@ -12,8 +12,8 @@ namespace jw {
 
 namespace {
 
-/// A stream that is closed would lend its number to the next file that is opened, and what is said would go
-/// into a picture. What is written into one of these fails as it should.
+/// If a stream is closed, the next opened file gets its number, and messages would go into a picture. Writing
+/// to one of these replacements fails, as it should.
 void open_closed_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) == -1) { static_cast<void>(::open("/dev/null", O_RDONLY)); }
@@ -26,7 +26,7 @@ int run_process(
     int argc, char** argv,
     const std::function<int(const std::vector<std::string>& arguments, const Streams& streams)>& run) {
     open_closed_streams();
-    // a file that grows beyond its limit is an error that is told, and not the end
+    // a file that reaches its size limit must cause an error message, not end the program
     std::signal(SIGXFSZ, SIG_IGN);
     std::vector<std::string> command_line{argv, argv + argc};
     std::error_code error;

@@ -10,11 +10,11 @@ namespace CLI {
 class App;
 }
 
-/// Quantities that a command is asked for by name.
+/// Quantities that the user names for a command.
 namespace jw {
 
-/// Quantities by their names, as typed behind an option. Names of before are noted on the error stream.
-/// @throws CommandError for a name that is none
+/// Quantities by their names, as typed after an option. Old names cause a note on the error stream.
+/// @throws CommandError for a name that is not a quantity
 std::vector<NamedQuantity> quantities_named(
     const std::string& option, const std::vector<std::string>& names, const Mechanism& mechanism,
     const Streams& streams);
@@ -22,10 +22,10 @@ std::vector<NamedQuantity> quantities_named(
 /// Option `--quantities`, names separated by commas.
 void add_quantities_option(CLI::App& command, std::vector<std::string>& names);
 
-/// Flag `--old-names`: columns are called as they were before there was one name for a quantity.
+/// Flag `--old-names`: columns have the names from before each quantity had one name everywhere.
 void add_old_names_flag(CLI::App& command, bool& old_names);
 
-/// The first `count` columns, by their names of before.
+/// Gives the first `count` columns their old names.
 void rename_columns(std::vector<std::string>& columns, std::size_t count);
 
 }  // namespace jw

@@ -9,7 +9,7 @@ namespace jw {
 
 namespace {
 
-/// The moments; empty (last before first) where the motion is not reached.
+/// The moments of the motion; empty (last before first) if the motion is not reached.
 FrameRange motion_of(const Story& story) {
     const int frames = static_cast<int>(story.steps().size());
     FrameRange motion{frames, frames - 1};
@@ -27,7 +27,7 @@ FrameRange motion_of(const Story& story) {
     return motion;
 }
 
-/// The steps that are drawn; empty (last before first) where only the motion is wanted and it is not reached.
+/// The steps that are drawn; empty (last before first) if only the motion is wanted and it is not reached.
 FrameRange range_of(const RenderOptions& options, const Story& story) {
     const int frames = static_cast<int>(story.steps().size());
     if (options.frames) { return frame_range(*options.frames, frames); }
@@ -40,7 +40,7 @@ Exit render_command(const RenderOptions& options, const Streams& streams) {
     const CheckedRender checked_options = checked(options);
     ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
     if (checked_options.camera) {
-        // the eye goes there; how far, and at what it looks, is found anew
+        // only the direction of the eye is set; its distance and target are found again
         changed.lesson.camera.from = checked_options.camera;
     }
     const Lesson& lesson = changed.lesson;
@@ -51,7 +51,7 @@ Exit render_command(const RenderOptions& options, const Streams& streams) {
     const FrameRange range = range_of(options, story);
     if (range.first > range.last) { throw not_reached(lesson, *story.failure()); }
     draw(options, checked_options, changed, story, range, streams);
-    // a part has no say: who has started it tells the same story
+    // a part reports nothing: the process that has started it tells the same story
     const Step* const failed = film::part_of_environment() ? nullptr : story.failure();
     if (failed == nullptr) { return Exit::done; }
     streams.err << not_reached(lesson, *failed).what() << '\n';

@@ -34,25 +34,25 @@ struct RenderOptions {
     std::string camera;
     bool no_panel = false;
     bool transparent = false;
-    int jobs = 0;  ///< 0: as many as there are cores, where there is enough to draw
+    int jobs = 0;  ///< 0: as many as there are cores, if there is enough to draw
     std::string shard;
     bool resume = false;
 
-    /// Format of the film that --out names; nothing: a folder.
+    /// Format of the film that --out names; nothing for a folder.
     std::optional<film::FilmFormat> format() const { return film::format_of(out); }
     host::FrameLook look() const;
 };
 
 void add_render_options(CLI::App& command, RenderOptions& options);
 
-/// Options that were checked, as values.
+/// The options after the check, as values.
 struct CheckedRender {
     PixelSize size;
-    std::optional<Vec3> camera;  ///< from where it is looked at
+    std::optional<Vec3> camera;  ///< direction to the eye
     film::Part shard;            ///< one of one without --shard
 };
 
-/// @throws CommandError for values and combinations that make no sense, each with what to do
+/// @throws CommandError for values and combinations that make no sense, with what to do
 CheckedRender checked(const RenderOptions& options);
 
 }  // namespace jw

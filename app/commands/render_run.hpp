@@ -6,10 +6,9 @@
 
 namespace jw {
 
-/// Carries out `jointwise render`: draws the steps of `range`, or the part of them that this process is asked
-/// for, and puts them together as a film or a folder.
-/// @throws CommandError, std::runtime_error where something cannot be drawn or written; what was there before
-/// stays
+/// Carries out `jointwise render`: draws the steps of `range`, or this process's part of them, and puts them
+/// together as a film or a folder.
+/// @throws CommandError, std::runtime_error if something cannot be drawn or written; existing files stay
 void draw(
     const RenderOptions& options, const CheckedRender& checked, const ChangedLesson& changed,
     const Story& story, const FrameRange& range, const Streams& streams);

@@ -10,10 +10,10 @@ struct PixelSize {
     int height = 0;
 };
 
-/// @throws CommandError if it is no size, or not between the two
+/// @throws CommandError if the text is not a size, or not between the two
 PixelSize size_option(const std::string& text, PixelSize smallest, PixelSize largest);
 
-/// Size of a picture that may stand upright: then the limits are turned.
+/// Size of a picture that may be higher than wide: then the limits are swapped.
 PixelSize size_option_either_way(const std::string& text, PixelSize smallest, PixelSize largest);
 
 }  // namespace jw

@@ -23,7 +23,7 @@ namespace {
 
 using render::Vector3d;
 
-/// A ball of the test picture, and how it must look in its middle.
+/// A ball of the test picture, and how its middle must look.
 struct Ball {
     const char* where;
     const char* hue;
@@ -32,8 +32,8 @@ struct Ball {
     render::Colour colour;
 };
 
-/// Four hues that no exchange of channels or sides of the picture leaves as they are. The last ball is
-/// behind the one before it and drawn later: it is seen only where depth is not tested.
+/// Four hues that change if channels, or sides of the picture, are exchanged. The last ball lies behind the
+/// one before it but is drawn later: it is visible only if depth is not tested.
 const std::array<Ball, 5>& balls() {
     using namespace render::palette;
     static const std::array<Ball, 5> all{{
@@ -47,7 +47,7 @@ const std::array<Ball, 5>& balls() {
 }
 
 constexpr std::size_t kSeen = 4;
-// a library that takes longer is not damaged, but something else is wrong [s]
+// a library that takes longer is not damaged: something else is wrong [s]
 constexpr unsigned kLoadingTime = 20;
 constexpr Library kOffscreenLibrary{"libOSMesa.so.8", "libosmesa6"};
 // the backdrop is paper
@@ -55,14 +55,14 @@ constexpr int kPale = 220;
 
 render::Rect whole() { return {0.0, 0.0, kTestWidth, kTestHeight}; }
 
-/// Straight on, so that places on the picture are known.
+/// A view from straight ahead, so that places on the picture are known.
 render::Camera test_camera() {
     render::Camera camera;
     camera.eye = {0.0, -6.0, 0.0};
     return camera;
 }
 
-/// Which channel is stronger than the next: hue without light.
+/// Whether each channel is stronger than the next: the hue without the brightness.
 template <class Channel>
 std::array<bool, 2> hue_of(Channel r, Channel g, Channel b) {
     return {r > g, g > b};
@@ -79,8 +79,8 @@ std::string text_of(const render::GlFunctions& gl, GLenum name) {
     return found == nullptr ? "unknown" : found;
 }
 
-/// Runs `work` in another process, for `kLoadingTime` at the most.
-/// @return the signal that ended it; 0 if it came to its end, took too long, or no process was to be had
+/// Runs `work` in another process, for at most `kLoadingTime`.
+/// @return the signal that ended it; 0 if it finished, took too long, or no process could be started
 int signal_that_ends(const std::function<void()>& work) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -94,7 +94,7 @@ int signal_that_ends(const std::function<void()>& work) {
     return WTERMSIG(status) == SIGALRM ? 0 : WTERMSIG(status);
 }
 
-/// Draws the test picture in memory; what the driver says of it is of no interest here.
+/// Draws the test picture in memory; messages of the driver are ignored here.
 void try_offscreen() {
     try {
         const render::Offscreen offscreen(kTestWidth, kTestHeight);
@@ -103,8 +103,8 @@ void try_offscreen() {
     } catch (const std::exception&) { return; }
 }
 
-/// Fills in what settings of the environment make of drawing, if they forbid it or end the program.
-/// @return whether they do; else `report` stays as it is
+/// Checks whether settings of the environment forbid drawing, or make it end the program.
+/// @return true if they do; otherwise `report` stays as it is
 bool blame_settings(SurfaceReport& report) {
     try {
         render::settle_mesa();
@@ -113,7 +113,7 @@ bool blame_settings(SurfaceReport& report) {
         report.problem = error.what();
         return true;
     }
-    // loaded already, it has drawn here; a second process would wait for threads that are none of its own
+    // already loaded, so it has drawn here; a second process would wait for threads that it does not have
     if (::dlopen(kOffscreenLibrary.name, RTLD_NOW | RTLD_NOLOAD) != nullptr) { return false; }
     const int signal = signal_that_ends(try_offscreen);
     if (signal == 0) { return false; }
@@ -196,7 +196,7 @@ LibraryReport examine_library(const char* name) {
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) { return report; }
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) { return report; }
     report.words.assign(words.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count)));
-    // the message of the system's loader for a missing file; anything else is about an existing one
+    // the system's loader writes this for a missing file; other messages are about an existing one
     const bool absent = report.words.find("No such file") != std::string::npos;
     report.state = absent ? SurfaceReport::State::missing : SurfaceReport::State::damaged;
     return report;

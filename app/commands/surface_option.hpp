@@ -6,14 +6,14 @@ namespace CLI {
 class App;
 }
 
-/// `--surface NAME`, what pictures without a window are drawn with, which every command takes.
+/// `--surface NAME`, which every command takes: what draws pictures without a window.
 namespace jw {
 
-/// Adds the option to the program; commands that are added afterwards take it, too.
+/// Adds the option to the program; commands that are added later take it, too.
 void add_surface_option(CLI::App& app, std::string& name);
 
-/// Sets it: that of the option, else of JOINTWISE_SURFACE, else OSMesa and where there is none EGL.
-/// @throws CommandError (bad_input) that names those there are
+/// Sets the surface: from the option, else from JOINTWISE_SURFACE, else OSMesa, or EGL if there is no OSMesa.
+/// @throws CommandError (bad_input) that names the available ones
 void choose_surface(const std::string& name);
 
 }  // namespace jw

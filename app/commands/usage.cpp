@@ -16,7 +16,7 @@ namespace jw {
 
 namespace {
 
-/// A sentence of the parser and the same of this program: $1 ... as in std::regex.
+/// A sentence of the parser, and the same of this program; $1 ... as in std::regex.
 struct Wording {
     const char* theirs;
     const char* ours;
@@ -73,7 +73,7 @@ const CLI::Option* option_named(const CLI::App& command, const std::string& name
 std::vector<std::string> option_names(const CLI::App& command) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options()) {
-        if (option->get_group().empty()) { continue; }  // hidden: what nobody should learn
+        if (option->get_group().empty()) { continue; }  // hidden: not meant to be learned
         for (const std::string& name : option->get_lnames()) { names.push_back("--" + name); }
     }
     return names;
@@ -107,7 +107,7 @@ std::optional<std::string> extra_fault(const CLI::App& command, const std::strin
     static const std::regex form("The following arguments? (?:was|were) not expected: ([^]*)");
     std::smatch match;
     if (!std::regex_match(theirs, match, form)) { return std::nullopt; }
-    // an option that there is none of is the cause of all that stands around it
+    // an unknown option also causes the errors in the words around it
     static const std::regex option("(?:^| )(--[^ =]+)");
     const std::string extra = match[1];
     if (!std::regex_search(extra, match, option)) { return in_quotes(extra) + " was not expected"; }
@@ -116,7 +116,7 @@ std::optional<std::string> extra_fault(const CLI::App& command, const std::strin
     return "there is no option " + in_quotes(name) + (hint.empty() ? "" : "; " + hint);
 }
 
-/// "--format excludes ": the parser gives hidden options no name
+/// "--format excludes ": the parser does not name hidden options
 std::optional<std::string> excludes_fault(const CLI::App& command, const std::string& theirs) {
     static const std::regex form("(.*) excludes (.*)");
     std::smatch match;
@@ -134,7 +134,7 @@ std::optional<std::string> excludes_fault(const CLI::App& command, const std::st
     return one + " excludes " + named(match[2]);
 }
 
-/// 0.750000 is 0.75
+/// 0.750000 becomes 0.75
 std::string without_zeros(const std::string& text) {
     static const std::regex form("(\\d+\\.\\d*?)0+(?=\\D|$)");
     static const std::regex point("(\\d+)\\.(?=\\D|$)");

@@ -13,8 +13,8 @@ namespace jw {
 
 namespace {
 
-/// Significant digits of which the rounding is within the tolerance whatever the first digit is: of 1.0 it is
-/// half a unit of the last one.
+/// Number of significant digits at which rounding stays within the tolerance, whatever the first digit is:
+/// for 1.0, rounding is half a unit of the last digit.
 int digits_for(double relative_tolerance) {
     return static_cast<int>(
         std::max(1.0, std::ceil(1.0 - elementary::log10(2.0 * relative_tolerance) - 1e-9)));
@@ -44,7 +44,7 @@ std::string accuracy_text(const Task& task) {
         const std::string off = number_text(asked.tolerance, 3) + unit;
         return several ? tr("Each number may be off by {0}.", off) : tr("It may be off by {0}.", off);
     }
-    // not the tolerance itself: it is a share of the answer
+    // not the tolerance itself, which is a fraction of the answer
     const int digits = digits_for(task.exercise().tolerance);
     const auto k = static_cast<std::size_t>(digits);
     const std::string count = k < kWords.size() ? tr(kWords[k]) : std::to_string(digits);

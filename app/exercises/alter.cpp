@@ -9,7 +9,7 @@ namespace {
 using math::Node;
 using math::Row;
 
-/// Calls `visit` with each row of the tree that holds things side by side; stops when it returns true.
+/// Calls `visit` with each row of the tree whose nodes stand side by side; stops when it returns true.
 bool any_row(Row& row, const std::function<bool(Row&)>& visit) {
     if (visit(row)) { return true; }
     for (Node& node : row) {
@@ -20,7 +20,7 @@ bool any_row(Row& row, const std::function<bool(Row&)>& visit) {
         } else if (auto* const group = std::get_if<math::Group>(&node.nucleus)) {
             if (any_row(group->inner, visit)) { return true; }
         } else if (auto* const accent = std::get_if<math::Accent>(&node.nucleus)) {
-            // a letter with accents is one thing
+            // a letter with its accents is treated as one thing
             if (letter_of(node).sign == nullptr && any_row(accent->inner, visit)) { return true; }
         } else if (auto* const matrix = std::get_if<math::Matrix>(&node.nucleus)) {
             for (auto& cells : matrix->rows) {
@@ -42,7 +42,7 @@ Letter letter_of(Node& node) {
     auto* const accent = std::get_if<math::Accent>(&node.nucleus);
     if (accent == nullptr || accent->inner.size() != 1) { return {}; }
     Letter inner = letter_of(accent->inner.front());
-    // \tilde{s}_i has its scripts outside, \tilde{s_i} inside
+    // \tilde{s}_i has its scripts outside the accent, \tilde{s_i} inside
     if (inner.node != nullptr && inner.node->below.empty() && inner.node->above.empty()) {
         inner.node = &node;
     }
@@ -51,7 +51,7 @@ Letter letter_of(Node& node) {
 
 std::vector<Altered> changed_once(const Row& formula, const Change& change, const Telling& what) {
     std::vector<Altered> all;
-    // place after place, until there is none left
+    // one place after the other, until no more is found
     for (std::size_t place = 0;; ++place) {
         Altered altered{formula, {}};
         std::size_t at = 0;
@@ -82,7 +82,7 @@ std::vector<Altered> changed_everywhere(const Row& formula, const Change& change
         }
         return false;
     });
-    // at one place it is changed_once
+    // with only one place, the result is that of changed_once
     return places > 1 ? std::vector<Altered>{std::move(altered)} : std::vector<Altered>{};
 }
 

@@ -15,23 +15,23 @@ struct Altered {
     std::string what;  ///< the thing that was changed, as plain text: "s̃ᵢ"
 };
 
-/// Changes what stands at place `k` of a row, itself or with its neighbours.
+/// Changes the node at place `k` of a row, alone or with its neighbours.
 /// @return false, with nothing changed, if there is nothing to change
 using Change = std::function<bool(math::Row& row, std::size_t k)>;
 
-/// The formula changed at one place, for each place where `change` changes something: all rows are looked at,
-/// those within fractions, groups and accents, too, but not the scripts of letters.
-/// @param what  tells what is changed; default: the node at the place
+/// The formula changed at one place, for each place where `change` changes something. All rows are visited,
+/// also those within fractions, groups and accents, but not the scripts of letters.
+/// @param what  names what is changed; default: the node at the place
 using Telling = std::function<std::string(const math::Row& row, std::size_t k)>;
 std::vector<Altered> changed_once(const math::Row& formula, const Change& change, const Telling& what = {});
 /// The formula changed at all places at once; nothing if there are none.
 std::vector<Altered> changed_everywhere(
     const math::Row& formula, const Change& change, const Telling& what = {});
 
-/// The letter that a node with its accents is about, with its scripts; nothing for others.
+/// The letter of a node with accents, and its scripts; nothing for other nodes.
 struct Letter {
     math::Sign* sign = nullptr;
-    math::Node* node = nullptr;  ///< whose scripts are those of the letter
+    math::Node* node = nullptr;  ///< the node that has the letter's scripts
 };
 Letter letter_of(math::Node& node);
 

@@ -103,7 +103,7 @@ bool exchange_function(Row& row, std::size_t k) {
     return false;
 }
 
-/// Place behind the parenthesis that opens at `k`.
+/// Place after the parenthesis that opens at `k`.
 std::size_t end_of_parentheses(const Row& row, std::size_t k) {
     int depth = 0;
     for (; k < row.size(); ++k) {
@@ -168,7 +168,8 @@ Alterations transposed(const Row& right) {
     return {{{group}, "the answer"}};
 }
 
-/// Turned by A or its transpose: only one of them changes the frame, the other a vector that nobody writes.
+/// The answer multiplied by A or by its transpose. Only one of them changes the frame; nobody writes the
+/// other vector.
 Alterations other_frame(const Row& right) {
     Alterations all;
     for (const char* turn : {"A", "A^T"}) {
@@ -256,7 +257,7 @@ Alterations not_normalised(const Row& right) {
 
 Alterations other_function(const Row& right) { return once_and_everywhere(right, exchange_function); }
 
-/// sin(x) becomes sin(x 180/π): the argument was taken to be in degrees.
+/// sin(x) becomes sin(x 180/π): the mistake is to take the argument as degrees.
 Alterations degrees_in_function(const Row& right) {
     return changed_everywhere(right, [](Row& row, std::size_t k) {
         const auto* const sign = std::get_if<Sign>(&row[k].nucleus);
@@ -278,7 +279,7 @@ Alterations degrees_in_function(const Row& right) {
     });
 }
 
-/// An inverse that stands in front of what is solved for is left out.
+/// An inverse in front of what is solved for is left out.
 Alterations forgotten_inverse(const Row& right) {
     return changed_once(right, [](Row& row, std::size_t k) {
         const Row& above = row[k].above;

@@ -18,7 +18,7 @@ using math::SignKind;
 /// True if a term of a sum can end before place `k`.
 bool is_sign_of_sum(const Node& node) { return is_sign(node, "+") || is_sign(node, "−"); }
 
-/// Place behind the term that begins at `k`.
+/// Place after the term that begins at `k`.
 std::size_t end_of_term(const Row& row, std::size_t k) {
     int depth = 0;
     for (++k; k < row.size(); ++k) {
@@ -29,10 +29,10 @@ std::size_t end_of_term(const Row& row, std::size_t k) {
     return k;
 }
 
-/// True if the first term of a sum, or of what stands in parentheses, begins at place `k`.
+/// True if the first term of a sum, or of an expression in parentheses, begins at place `k`.
 bool begins_sum(const Row& row, std::size_t k) { return k == 0 || is_kind(row[k - 1], SignKind::opening); }
 
-/// True if a term begins at place `k`, with its sign, and another one stands beside it.
+/// True if a term begins at place `k`, with its sign, and there is another term beside it.
 bool begins_one_of_terms(const Row& row, std::size_t k) {
     if (!is_sign_of_sum(row[k]) && !begins_sum(row, k)) { return false; }
     const std::size_t end = end_of_term(row, k);
@@ -44,8 +44,9 @@ std::string term_at(const Row& row, std::size_t k) {
     return math::write_plain(Row(from, row.begin() + static_cast<std::ptrdiff_t>(end_of_term(row, k))));
 }
 
-/// The formula changed once at each place, and what stands at several places under one name at all of them.
-/// @param name_at  of what stands at a place; empty where there is nothing to change
+/// The formula changed once at each place; and, for each name that stands at several places, changed at all
+/// of them.
+/// @param name_at  name at a place; empty if there is nothing to change
 Alterations once_and_everywhere(
     const Row& right, const Telling& name_at, const std::function<void(Row&, std::size_t)>& change,
     const Telling& what = {}) {
@@ -71,7 +72,7 @@ Alterations once_and_everywhere(
 Alterations wrong_sign(const Row& right) {
     Altered altered{math::own_math("-"), "the answer"};
     Node group;
-    // parentheses only where there is something to hold together
+    // parentheses only if they hold several terms together
     const bool sum = std::ranges::any_of(right, is_sign_of_sum);
     group.nucleus = sum ? math::Group{"(", ")", right} : math::Group{"", "", right};
     altered.row.push_back(std::move(group));
@@ -99,7 +100,7 @@ Alterations dropped_term(const Row& right) {
         row.erase(
             row.begin() + static_cast<std::ptrdiff_t>(k),
             row.begin() + static_cast<std::ptrdiff_t>(end_of_term(row, k)));
-        // no plus is left over at the front
+        // no plus may be left over at the front
         if (first && is_sign(row[k], "+")) { row.erase(row.begin() + static_cast<std::ptrdiff_t>(k)); }
     };
     return once_and_everywhere(right, name, drop, term_at);

@@ -32,7 +32,7 @@ public:
     AskedFormula(const FormulaPlan& plan, const FormulaClaim& claim, const Instant& instant)
         : plan_(plan), meanings_(formula::meanings_of(claim.formula.subject, instant)) {}
 
-    /// What is asked for, and how it is found: the first and the last side.
+    /// The quantity that is asked for, and how it is found: the first and the last side.
     MatrixX asked() const { return value(plan_.asked, plan_.where); }
     MatrixX found() const { return value(plan_.found, plan_.where); }
     /// Empty where the expression has no value.
@@ -74,7 +74,7 @@ private:
     formula::Meanings meanings_;
 };
 
-/// Two ways to the same value, up to rounding.
+/// True if two ways lead to the same value, up to rounding.
 bool agree(const MatrixX& a, const MatrixX& b) {
     if (a.rows() != b.rows() || a.cols() != b.cols()) { return false; }
     // symbols are of the size of 1 to 1000; a pose is assembled to 1e-12
@@ -87,7 +87,7 @@ MatrixX with_position(const Vec3& r, const MatrixX& p) {
     return pose;
 }
 
-/// A pose asks for r, too.
+/// A pose asks for r in addition to p.
 void ask_for_pose(const AskedFormula& f, Asked& asked) {
     const MatrixX r = f.value_or_empty(math::own_math("r"));
     if (r.size() != 3 || asked.right.size() != 4) {
@@ -118,7 +118,7 @@ void add_value(Asked& asked, const ValueMistake& mistake, double value) {
     add_answer(asked, mistake, as_matrix(value));
 }
 
-/// The right answer in degrees where radians are asked for, and the reverse.
+/// Adds the right answer in degrees where radians are asked for, and the reverse.
 void add_mixed_units(Asked& asked) {
     const std::optional<WrittenUnit> unit = read_unit(asked.unit);
     if (!unit || unit->powers[3] == 0) { return; }
@@ -184,7 +184,7 @@ double quantity_at(const QuantityClaim& claim, const Instant& instant) {
         .derivatives[static_cast<std::size_t>(claim.derivative)];
 }
 
-/// The value where the scene is assembled the other way.
+/// The value if the scene is assembled on the other branch.
 double value_of_other_branch(const Variant& variant, const QuantityClaim& claim, const Moment& when) {
     Session session(variant.lesson, false);
     for (const std::string& action : variant.exercise->branch) {
@@ -228,11 +228,11 @@ void filter_mistakes(const Exercise& exercise, Asked& asked) {
 double tolerance_of(const Exercise& exercise, const Asked& asked) {
     if (exercise.absolute || asked.right.size() == 0) { return exercise.tolerance; }
     const double largest = asked.right.cwiseAbs().maxCoeff();
-    // an answer that is zero has no size of its own
+    // an answer of zero has no size
     return exercise.tolerance * (largest > 0.0 ? largest : 1.0);
 }
 
-/// The instants at which a formula is evaluated; several for `any_state`.
+/// The instant at which a formula is evaluated; a random one for `any_state`.
 std::optional<Instant> instant_of(const Variant& variant, const Pose& pose) {
     const Claim& claim = variant.lesson.claims.front();
     if (!std::holds_alternative<AnyState>(claim.when)) { return pose.instant; }
@@ -288,7 +288,7 @@ std::vector<KnownMistake> mistakes_in_two_terms(const Variant& variant) {
     Variant twice = variant;
     twice.plan = std::make_shared<const FormulaPlan>(plan_of_two_terms(*variant.plan, *variant.exercise));
     Asked asked = asked_in(twice);
-    // a unit brings mistakes of its own
+    // a unit adds its own mistakes
     std::erase_if(asked.mistakes, [](const KnownMistake& mistake) { return mistake.name != kTwoTermsName; });
     return std::move(asked.mistakes);
 }

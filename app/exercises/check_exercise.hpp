@@ -11,11 +11,11 @@ namespace jw {
 
 struct ExerciseCheck {
     std::string name;
-    int variants = 0;                   ///< that were tried
-    int draws = 0;                      ///< that were needed for them
-    int mistakes = 0;                   ///< known ones, each named by its feedback
+    int variants = 0;                   ///< variants that were tried
+    int draws = 0;                      ///< draws that were needed for them
+    int mistakes = 0;                   ///< known mistakes, each named by its feedback
     std::vector<std::string> problems;  ///< what is wrong, empty if nothing is
-    // how alike variants are
+    // how similar the variants are
     int least_nonzero = 0;  ///< entries of the answer that are not zero
     int most_nonzero = 0;
     double least_condition = 1.0;
@@ -28,7 +28,7 @@ struct ExerciseCheck {
 /// (which has to be named) and nonsense (which has to be refused or wrong).
 ExerciseCheck check_exercise(const Exercise& exercise, int variants);
 
-/// The same of several, as results of `jointwise check`: one for each.
+/// The same for several exercises, as results of `jointwise check`: one for each.
 std::vector<ClaimResult> check_exercises(const std::vector<Exercise>& exercises, int variants);
 
 }  // namespace jw

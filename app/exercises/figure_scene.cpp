@@ -7,7 +7,7 @@ namespace jw {
 
 namespace {
 
-/// A figure of a formula at random states would show none of them.
+/// For a formula at random states, a figure would show none of these states.
 bool has_figure(const Exercise& exercise) {
     return !exercise.scene.empty() && exercise.kind != ExerciseKind::code &&
            exercise.kind != ExerciseKind::order;

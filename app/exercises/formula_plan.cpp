@@ -13,7 +13,7 @@ namespace {
 
 using math::Row;
 
-/// Both mistakes are looked for under this name: it is no key of exercise files.
+/// Two mistakes at once have this name, which is not a key of exercise files.
 constexpr FormulaMistake kTwoTerms{
     kTwoTermsName, tr_later("two terms are wrong"), tr_later("{0} {1}"), "", nullptr};
 
@@ -30,7 +30,7 @@ void plan_in_formula(
     }
 }
 
-/// Mistakes made in a definition: the formula stays as it is.
+/// Adds mistakes made in a definition: the formula stays as it is.
 void plan_in_definition(
     const FormulaMistake& mistake, std::size_t k, const Row& formula, const std::vector<Row>& definitions,
     std::vector<PlannedMistake>& planned) {
@@ -49,7 +49,7 @@ void plan_in_definition(
     }
 }
 
-/// A mistake at all of its places, in the formula and in its definitions.
+/// Adds a mistake at all of its places, in the formula and in its definitions.
 void plan_mistake(
     const FormulaMistake& mistake, const Row& formula, const std::vector<Row>& definitions,
     std::vector<PlannedMistake>& planned) {

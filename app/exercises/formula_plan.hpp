@@ -7,7 +7,7 @@
 #include "app/session/wording/messages.hpp"
 #include "lessons/exercise/exercise.hpp"
 
-/// The formula of an exercise, read, with all that mistakes make of it: the same for all variants.
+/// The formula of an exercise, read, with all its mistaken forms: the same for all variants.
 namespace jw {
 
 /// A mistake at one place of the formula.
@@ -23,19 +23,18 @@ struct FormulaPlan {
     math::Row asked;               ///< the first side
     math::Row found;               ///< the last one
     std::vector<math::Row> where;  ///< definitions
-    std::vector<math::Row> given;  ///< symbols whose values are told
+    std::vector<math::Row> given;  ///< symbols whose values are given
     std::vector<PlannedMistake> mistakes;
 };
 
 /// @param exercise  with a formula that can be read
 FormulaPlan formula_plan(const Exercise& exercise);
 
-/// Whether the mistakes of that name are among those that the exercise names, or it names none.
+/// True if the exercise names this mistake, or names none.
 bool looks_for(const Exercise& exercise, const std::string& mistake);
 
-/// Plan of the same formula whose mistakes are pairs: two terms that are missing or have the wrong sign, as
-/// far as the exercise looks for each of the two. An altered formula that several pairs lead to is there
-/// once.
+/// Plan of the same formula with pairs of mistakes: two terms that are missing or have the wrong sign, if the
+/// exercise looks for both. If several pairs lead to the same altered formula, it appears once.
 FormulaPlan plan_of_two_terms(const FormulaPlan& plan, const Exercise& exercise);
 
 }  // namespace jw

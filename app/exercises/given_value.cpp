@@ -33,7 +33,7 @@ public:
     /// @param single  one number is expected: "2 pi" is a product
     GivenReader(std::string text, bool single) : text_(std::move(text)), single_(single) {}
 
-    /// Rows of numbers; what stands behind them is left.
+    /// Rows of numbers; the text after them is not read.
     std::vector<std::vector<double>> rows() {
         skip();
         if (peek() == '[' || (peek() == '(' && (is_list(at_) || is_whole_answer()))) { return list(); }
@@ -51,7 +51,7 @@ private:
     void skip() {
         while (peek() == ' ' || peek() == '\n' || peek() == '\r') { ++at_; }
     }
-    /// Blanks before something else stay: in a list they tell where a number ends.
+    /// Takes `c` if it comes next. Otherwise blanks stay: in a list they tell where a number ends.
     bool take(char c) {
         const std::size_t before = at_;
         skip();
@@ -66,7 +66,7 @@ private:
                          : tr("cannot read {0}; expected {1}", in_quotes(rest), expected));
     }
 
-    /// A parenthesis with a comma at its own depth is a list, and one that begins with a list.
+    /// A parenthesis is a list if it has a comma at its own depth, or begins with a list.
     bool is_list(std::size_t from, int deep = 0) const {
         if (deep > kDeepest) { return false; }
         const std::size_t first = text_.find_first_not_of(" \n\r", from + 1);
@@ -83,7 +83,7 @@ private:
         return false;
     }
 
-    /// True for a parenthesis of several expected numbers, behind which nothing is computed: "(1 2 3) m".
+    /// True for a parenthesis with several numbers after which nothing is computed: "(1 2 3) m".
     bool is_whole_answer() {
         int depth = 0;
         std::size_t k = at_;
@@ -143,7 +143,7 @@ private:
         return rows;
     }
 
-    /// Without brackets: one number, or numbers with commas or blanks between.
+    /// Without brackets: one number, or several numbers separated by commas or blanks.
     Rows loose_rows() {
         Rows rows(1);
         rows.back().push_back(sum());
@@ -163,7 +163,7 @@ private:
         }
     }
 
-    /// In a list "1 -2" are two numbers, "1 - 2" and "1-2" one.
+    /// In a list, "1 -2" is two numbers, "1 - 2" and "1-2" are one.
     bool begins_next() const {
         const bool before = at_ > 0 && text_[at_ - 1] == ' ';
         const bool after = at_ + 1 < text_.size() && text_[at_ + 1] == ' ';

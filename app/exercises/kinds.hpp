@@ -6,13 +6,13 @@
 
 #include "app/exercises/task.hpp"
 
-/// Kinds of exercises: what is handed in, what is right, what is judged.
+/// Kinds of exercises: what is handed in, what is right, and how it is judged.
 namespace jw {
 
 /// What a student hands in, as text.
 struct Handed {
-    std::string text;  ///< numbers; the output of a program; a lesson file; of experiments the lesson that
-                       ///< they led to, empty: they are carried out
+    std::string text;  ///< numbers; the output of a program; a lesson file; for experiments, the lesson that
+                       ///< they led to, or empty: they are carried out
     std::vector<std::string> list;  ///< experiments
 };
 
@@ -39,14 +39,14 @@ struct KindOfExercise {
     Handed (*right)(const Task& task);
     std::vector<HandedMistake> (*mistakes)(const Task& task);
     Judged (*judge)(const Task& task, const Handed& handed);
-    const char* file;  ///< ending of the file that is handed in; empty: the answer stands in answers.toml
+    const char* file;  ///< ending of the file that is handed in; empty: the answer is in answers.toml
 };
 const KindOfExercise& kind_of(ExerciseKind kind);
 
 /// Numbers as a student would write them: "[1, 2, 3]".
 std::string written(const MatrixX& value, int digits = 9);
 
-/// An entry for people: "2" of a column, "(2, 1)" of any other matrix.
+/// An entry for people: "2" in a column, "(2, 1)" in any other matrix.
 std::string name_of_entry(const MatrixX& value, Eigen::Index row, Eigen::Index column);
 
 // the parts of the table
@@ -59,16 +59,16 @@ std::vector<HandedMistake> mistaken_outputs(const Task& task);
 Judged judge_output(const Task& task, const Handed& handed);
 /// What a program reads on its standard input.
 std::string program_input(const Task& task);
-/// How the answers of a program are judged, a sentence.
+/// How the answers of a program are judged, as a sentence.
 std::string judging_of_programs(const Task& task);
-/// Names of the inputs in it: "s_i_local".
+/// Names of the inputs of a program: "s_i_local".
 std::vector<std::string> input_names(const Exercise& exercise);
 
-/// The lesson file that is handed out: sick for repair, without the joints for build.
+/// The lesson file that is handed out: for repair with its faults, for build without the joints.
 std::string handed_out(const Task& task);
-/// The file as it is handed out meets all claims: there is nothing to do.
+/// True if the file as it is handed out meets all claims, so that there is nothing to do.
 bool is_solved_already(const Task& task);
-/// Sentence about the keys that make the scene of a `repair` sick: its solution for people.
+/// Sentence about the keys that spoil the scene of a `repair`: its solution for people.
 std::string spoiled_text(const Exercise& exercise);
 Handed right_repair(const Task& task);
 std::vector<HandedMistake> mistaken_repairs(const Task& task);

@@ -20,7 +20,8 @@ std::uint64_t seed_of(std::string_view secret, std::string_view student, std::st
             // FNV-1a
             hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
         }
-        // ends a part, so that "ab", "c" is not "a", "bc"; stirred, so that near names are far apart
+        // marks the end of a part, so that "ab", "c" differs from "a", "bc"; mixed, so that similar names
+        // differ much
         hash = Random(hash ^ 0xFFU).next();
     }
     return hash;

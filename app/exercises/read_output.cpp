@@ -41,7 +41,7 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
     return std::min(at + 1, text.size());
 }
 
-/// null for what is not finite: JSON has no word for it.
+/// Replaces what is not finite by null, since JSON has no word for it.
 std::string with_nulls(const std::string& text) {
     std::string json;
     for (std::size_t at = 0; at < text.size();) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kFullWidth = "\uFF01";
 
-/// Signs of Unicode that stand for those of a keyboard.
+/// Unicode signs that stand for those of a keyboard.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kSigns{
     {{"−", "-"},
      {"–", "-"},
@@ -32,7 +32,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kSigns{
      {"\u3000", " "},
      {"\t", " "}}};
 
-/// "０" is 0: what East Asian keyboards write for a sign of ASCII; 0 for anything else.
+/// The ASCII sign of a full-width one, as East Asian keyboards write it: "０" is 0. 0 for anything else.
 char of_full_width(std::string_view text) {
     if (text.size() < kFullWidth.size() || text[0] != kFullWidth[0]) { return '\0'; }
     const auto page = static_cast<unsigned char>(text[1]);
@@ -63,7 +63,7 @@ std::string with_signs_of_keyboard(std::string_view text) {
 }
 
 std::string with_decimal_points(std::string text, std::ptrdiff_t entries) {
-    // parentheses around all of it are those of a list; others may hold a list, or arguments
+    // parentheses around the whole text belong to a list; others may hold a list, or arguments
     const std::size_t first = text.find_first_not_of(' ');
     const bool is_list =
         first != std::string::npos && text[first] == '(' && text.find(')') == text.find_last_not_of(" \n\r");

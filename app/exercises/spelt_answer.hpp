@@ -4,14 +4,14 @@
 #include <string>
 #include <string_view>
 
-/// Spelling of answers: what is typed on other keyboards and in other countries becomes ASCII, with points.
+/// Spelling of answers: what other keyboards and countries write becomes ASCII, with decimal points.
 namespace jw {
 
-/// Signs of Unicode, full-width ones and powers of Python replaced: "−１／４" is "-1/4".
+/// The text with Unicode signs, full-width signs and powers of Python replaced: "−１／４" is "-1/4".
 std::string with_signs_of_keyboard(std::string_view text);
 
-/// "0,5236" is 0.5236 and "0,5; 1,25" is 0.5 and 1.25: commas between digits, at most one in each of the
-/// numbers that are expected.
+/// "0,5236" is 0.5236 and "0,5; 1,25" is 0.5 and 1.25: commas between digits are decimal points, at most one
+/// in each of the expected numbers.
 std::string with_decimal_points(std::string text, std::ptrdiff_t entries);
 
 }  // namespace jw

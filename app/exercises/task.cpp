@@ -14,11 +14,11 @@ namespace jw {
 
 namespace {
 
-// variants by which mistakes that are always the same are told from those that happen to be
+// number of variants that distinguish mistakes that always agree from those that agree by chance
 constexpr int kSamples = 8;
 constexpr int kMostSampleDraws = 60;
 constexpr int kMostDraws = 400;
-/// Answers of mistakes are so many tolerances apart.
+/// Answers of mistakes differ by at least this many tolerances.
 constexpr double kTolerancesApart = 10.0;
 constexpr std::size_t kMostChoices = 4;
 
@@ -26,7 +26,7 @@ Message by_author(const std::string& words) { return {"{0}", {words}}; }
 
 bool is_computed(const Exercise& exercise) { return !exercise.asked.empty(); }
 
-/// Answers that no tolerance tells apart.
+/// Largest difference of answers that count as equal at any tolerance.
 double smallest_difference(const Asked& asked) {
     const double size = asked.right.size() > 0 ? std::max(1.0, asked.right.cwiseAbs().maxCoeff()) : 1.0;
     return 1e-7 * size;
@@ -55,7 +55,7 @@ MatrixX number_of_choice(const Task& task, int place) {
     return MatrixX::Constant(1, 1, static_cast<double>(found - task.place.begin() + 1));
 }
 
-/// Choices in the words of the author.
+/// Shows choices in the words of the author.
 void show_choices(Task& task, Random& random) {
     const Exercise& exercise = task.exercise();
     std::vector<std::string> texts;
@@ -78,7 +78,7 @@ void show_choices(Task& task, Random& random) {
     task.asked.tolerance = 0.0;
 }
 
-/// Choices among the right formula and mistaken ones.
+/// Shows choices among the right formula and mistaken ones.
 void show_formulas(Task& task, Random& random) {
     std::vector<KnownMistake> wrong;
     for (const int k : shuffled_places(task.asked.mistakes.size(), random)) {
@@ -103,7 +103,7 @@ void show_components(Task& task) {
     task.place = {0, 1, 2};
 }
 
-/// The numbers that a row of answers for `items` gets when the items stand in this order.
+/// The answer in numbers that puts the exercise's items into this order.
 MatrixX numbers_in_order(const Task& task, const std::vector<int>& order) {
     MatrixX numbers(static_cast<Eigen::Index>(order.size()), 1);
     for (std::size_t k = 0; k < order.size(); ++k) {
@@ -141,7 +141,7 @@ void show_items(Task& task, Random& random) {
          {}});
 }
 
-/// A name in the list of mistakes that are looked for, but of none; empty if all are known.
+/// A name in the list of mistakes to look for that is not the name of any; empty if all are known.
 std::string unknown_mistake(const Exercise& exercise) {
     const std::vector<std::string> names = mistake_names();
     for (const std::string& name : exercise.only) {
@@ -153,7 +153,7 @@ std::string unknown_mistake(const Exercise& exercise) {
     return {};
 }
 
-/// What a student sees besides the question.
+/// Makes what a student sees besides the question.
 void show(Task& task) {
     Random random(task.variant.seed ^ 0x5DEECE66DULL);
     const Exercise& exercise = task.exercise();
@@ -264,7 +264,7 @@ bool TaskMaker::accept(Task& task, std::string& why) const {
             if (std::ranges::find(titles, other) == titles.end()) { titles.push_back(other); }
         }
     }
-    // programs are told apart by all of their cases (judge_output.cpp)
+    // for programs, all cases together tell mistakes apart (judge_output.cpp)
     const bool by_cases = exercise_->kind == ExerciseKind::code;
     const double least =
         by_cases ? -1.0 : std::max(kTolerancesApart * asked.tolerance, smallest_difference(asked));
@@ -286,7 +286,7 @@ bool TaskMaker::accept(Task& task, std::string& why) const {
 
 /// The maker of the exercise or of one of its alternatives.
 const TaskMaker& TaskMaker::chosen_by(std::uint64_t seed) const {
-    // numbers are drawn from the seed itself
+    // not with the seed itself, from which the numbers are drawn
     const int chosen = Random(seed ^ 0x2545F4914F6CDD1DULL).below(static_cast<int>(alternatives_.size()) + 1);
     return chosen > 0 ? alternatives_[static_cast<std::size_t>(chosen) - 1] : *this;
 }

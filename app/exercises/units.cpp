@@ -52,7 +52,7 @@ bool is_part_of_word(char c) {
     return std::isalpha(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80U;
 }
 
-/// The unit whose name stands at the front.
+/// Takes a unit name from the front.
 const UnitName* take_name(std::string_view& text) {
     const UnitName* best = nullptr;
     for (const UnitName& unit : kUnits) {

@@ -15,7 +15,8 @@ struct WrittenUnit {
     bool operator==(const WrittenUnit&) const = default;
 };
 
-/// Reads "deg", "rad/s", "m/s^2", "N m", "kg m²", "°"; nothing for words that are no units. Empty: no unit.
+/// Reads "deg", "rad/s", "m/s^2", "N m", "kg m²", "°"; nothing for words that are not units. Empty text: no
+/// unit.
 std::optional<WrittenUnit> read_unit(std::string_view text);
 
 }  // namespace jw

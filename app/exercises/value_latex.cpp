@@ -11,9 +11,10 @@ namespace {
 
 // more digits than the tightest tolerance asks for
 constexpr int kShownDigits = 6;
-/// Denominator of A where Euler parameters have the denominator 15; larger ones are no nicer than decimals.
+/// Denominator of A if Euler parameters have the denominator 15; larger ones are not easier to read than
+/// decimals.
 constexpr int kLargestDenominator = 225;
-/// Numbers are computed to some 1e-15; that decimals of no meaning come so near to a fraction is unlikely.
+/// Numbers are computed to about 1e-15; other decimals are unlikely to come so near to a fraction.
 constexpr double kRounding = 1e-10;
 
 std::string written_with(const MatrixX& value, const std::function<std::string(double)>& entry) {
@@ -33,7 +34,7 @@ bool ends_as_decimal(int denominator) {
     return denominator == 1;
 }
 
-/// The smallest one with which all entries are fractions; 0 if there is none.
+/// The smallest denominator with which all entries are fractions; 0 if there is none.
 int common_denominator(const MatrixX& value) {
     if (!value.allFinite()) { return 0; }
     for (int d = 1; d <= kLargestDenominator; ++d) {
@@ -55,7 +56,7 @@ std::string fraction_latex(const MatrixX& value, int denominator) {
 
 }  // namespace
 
-/// "1e-05" in a formula would be 1 times e minus 05.
+/// In a formula, "1e-05" would be read as 1 times e minus 05.
 std::string number_latex(double value) {
     const std::string text = number_text(value, kShownDigits);
     const std::size_t at = text.find('e');

@@ -11,8 +11,8 @@ namespace jw {
 std::string number_latex(double value);
 /// A value as a formula, in decimals: a number, or a matrix in brackets.
 std::string value_latex(const MatrixX& value);
-/// A symbol that is told: "\mathbf{s}_i = [...]". What is drawn is rational: a common denominator stands
-/// before the matrix where decimals would not end, "\frac{1}{7} [-2, -4, 2, -5]".
+/// A given symbol: "\mathbf{s}_i = [...]". Drawn values are rational: if decimals would not end, a common
+/// denominator stands before the matrix, "\frac{1}{7} [-2, -4, 2, -5]".
 std::string given_latex(const GivenSymbol& symbol);
 
 }  // namespace jw

@@ -25,7 +25,7 @@ constexpr std::array<std::array<int, 5>, 7> kParameters{
      {1, 3, 3, 9, 10},
      {1, 1, 7, 7, 10}}};
 
-/// The numbers in another order and with other signs, over the last one.
+/// The numbers in another order and with other signs, divided by the last one.
 template <std::size_t N>
 std::string shuffled(std::array<int, N> numbers, Random& random) {
     constexpr int kCount = static_cast<int>(N) - 1;
@@ -43,7 +43,7 @@ std::string shuffled(std::array<int, N> numbers, Random& random) {
 std::string drawn_number(const Draw& draw, Random& random) {
     const int steps = static_cast<int>(std::floor((draw.to - draw.from) / draw.step + 1e-9));
     const double value = draw.from + draw.step * random.below(steps + 1);
-    // 0.1 + 2 · 0.1 is 0.3
+    // rounded, so that 0.1 + 2 · 0.1 is 0.3
     return writing::number_text(std::round(value * 1e9) / 1e9);
 }
 
@@ -85,7 +85,7 @@ std::vector<SceneEdit> drawn_edits(const Exercise& exercise, Random& random) {
     return edits;
 }
 
-/// What the lesson of the variant claims.
+/// The claims of the variant's lesson.
 std::string claims_of(const Exercise& exercise, const std::string& scene) {
     if (!exercise.asked.empty()) { return exercise.asked; }
     if (!exercise.expect.empty()) { return exercise.expect; }

@@ -14,7 +14,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "buffers of glTF are little-endian");
 
-// numbers of the specification
+// constants of the specification
 constexpr int kFloat = 5126;
 constexpr int kUnsignedInt = 5125;
 constexpr int kArrayBuffer = 34962;
@@ -50,7 +50,7 @@ public:
     std::vector<std::uint8_t> bytes_;
 };
 
-/// Smallest and largest value of each component, which positions and times must have.
+/// Adds the smallest and largest value of each component, which glTF requires for positions and times.
 template <class T>
 void add_bounds(const std::vector<T>& values, Json& accessor) {
     T least = values.front();
@@ -75,7 +75,7 @@ void add_bounds(const std::vector<T>& values, Json& accessor) {
     }
 }
 
-/// Colours of materials are linear. @source IEC 61966-2-1
+/// Linear value of a colour component, which materials need. @source IEC 61966-2-1
 float linear(float srgb) {
     return srgb <= 0.04045F ? srgb / 12.92F
                             : static_cast<float>(elementary::pow((srgb + 0.055F) / 1.055F, 2.4));
@@ -125,7 +125,7 @@ Json node_of(const Node& node) {
     return json;
 }
 
-/// Rotations of which each is on the same side as the one before: q and −q are the same, but not between.
+/// Rotations with signs that agree: q and −q are the same rotation, but not for interpolation.
 std::vector<std::array<float, 4>> rotations_of(const std::vector<Pose>& motion) {
     std::vector<std::array<float, 4>> rotations;
     for (const Pose& pose : motion) {
@@ -192,7 +192,7 @@ std::vector<std::uint8_t> encode(const Scene& scene) {
         {"scenes", Json::array({{{"name", scene.name}, {"nodes", {0}}}})},
         {"nodes", std::move(nodes)}};
     if (!scene.times.empty()) { document["animations"] = Json::array({animation_of(scene, buffer)}); }
-    // empty lists are not allowed
+    // glTF does not allow empty lists
     if (!meshes.empty()) {
         document["meshes"] = std::move(meshes);
         document["materials"] = materials.json();

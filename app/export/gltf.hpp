@@ -16,7 +16,7 @@ struct Mesh {
     std::array<float, 4> colour{0.5F, 0.5F, 0.5F, 1.0F};  ///< sRGB and alpha, 0 to 1
 };
 
-/// Places of a node at the times of a scene.
+/// Pose of a node.
 struct Pose {
     std::array<float, 3> translation{};
     std::array<float, 4> rotation{0.0F, 0.0F, 0.0F, 1.0F};  ///< unit quaternion x, y, z, w
@@ -26,8 +26,8 @@ struct Node {
     std::string name;
     std::vector<int> children;
     int mesh = -1;             ///< index, or -1
-    Pose pose;                 ///< in its parent
-    std::vector<Pose> motion;  ///< one for each time, or empty: it does not move
+    Pose pose;                 ///< in the frame of its parent
+    std::vector<Pose> motion;  ///< one for each time; empty: the node does not move
 };
 
 struct Scene {
@@ -37,7 +37,7 @@ struct Scene {
     std::vector<float> times;  ///< of the animation, ascending [s]; empty if nothing moves
 };
 
-/// The scene as the bytes of a file. Between two times a rotation goes the short way.
+/// The scene as the bytes of a file. Between two times a rotation takes the shorter way.
 /// @source Khronos, glTF 2.0 specification, sections 3.6, 3.11 and 4.4
 std::vector<std::uint8_t> encode(const Scene& scene);
 

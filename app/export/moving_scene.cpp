@@ -13,7 +13,7 @@ std::array<float, 3> floats(const Vec3& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
-/// Unit p as glTF has it: the scalar comes last.
+/// Unit p in the order of glTF: the scalar comes last.
 std::array<float, 4> rotation_of(const Vec4& p) {
     return {
         static_cast<float>(p[1]), static_cast<float>(p[2]), static_cast<float>(p[3]),
@@ -25,7 +25,7 @@ gltf::Pose pose_of(const State& state, int body) {
     return {floats(state.r[b]), rotation_of(state.p[b].normalized())};
 }
 
-/// Steps of the motion; where nothing moves, the one at which everything is put together.
+/// Steps of the motion; without a motion, the step at which the mechanism is assembled.
 std::vector<int> moments_of(const Story& story) {
     std::vector<int> moments;
     for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
@@ -35,7 +35,7 @@ std::vector<int> moments_of(const Story& story) {
     return moments;
 }
 
-/// Appends copies of a mesh, placed as the vertex shader places them (render/shapes.hpp).
+/// Appends a copy of `shape`, placed as the vertex shader places it (render/shapes.hpp).
 void append(gltf::Mesh& mesh, const render::Mesh& shape, const render::Instance& instance) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     for (const render::MeshVertex& vertex : shape.vertices) {
@@ -74,7 +74,7 @@ gltf::Pose turned_to_y(const Vec3& up) {
     return pose;
 }
 
-/// Time at which a moment of the motion is seen [s].
+/// Time at which a moment of the motion is shown [s].
 float time_of(const MotionPlan& plan, double t) {
     return static_cast<float>(plan.duration * (t - plan.from) / (plan.to - plan.from));
 }

@@ -12,11 +12,11 @@ namespace jw {
 
 namespace {
 
-/// Largest move that is none, as a share of the size of the mechanism: joints are closed to 1e-10 of it,
-/// pictures are made of doubles.
+/// Largest difference that does not count as a move, relative to the size of the mechanism: joints are closed
+/// to 1e-10 of it, and pictures are made of doubles.
 constexpr double kSamePlace = 1e-6;
 
-/// The frame of a body as a change of coordinates: global to body frame.
+/// Transformation of coordinates from the global frame to that of a body.
 struct IntoBody {
     picture::BodyFrame frame;
 
@@ -50,7 +50,7 @@ render::Geometry moved(const render::Geometry& geometry, const IntoBody& to) {
         geometry);
 }
 
-/// All numbers of a geometry: two of the same kind are the same if these are.
+/// All numbers of a geometry. Two geometries are the same if their numbers are.
 std::vector<double> numbers_of(const render::Geometry& geometry) {
     std::vector<double> numbers{static_cast<double>(geometry.index())};
     const auto add = [&](const auto&... values) { (numbers.push_back(values), ...); };
@@ -98,7 +98,7 @@ std::string owner_of(const render::Shape& shape, const Mechanism& mechanism) {
     return "part";
 }
 
-/// The solids of all pictures, one list a picture.
+/// The solids of all pictures, one list per picture.
 class Pictures {
 public:
     Pictures(const Story& story, const PictureStyle& style, const std::vector<int>& steps)
@@ -125,7 +125,7 @@ public:
         return place;
     }
 
-    /// The bodies that shape `k` may be fixed in, the most likely first: its own, else those of its joint.
+    /// The bodies that shape `k` may be fixed in: its own; else all bodies, first those of its joint.
     std::vector<int> candidates(std::size_t k) const {
         const Pointable link = pointable_of(first(k).id);
         if (link.kind == Pointable::Kind::body) { return {link.index}; }

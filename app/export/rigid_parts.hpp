@@ -15,9 +15,9 @@ struct RigidPart {
     render::Shape shape;  ///< in the body frame
 };
 
-/// The solids of the pictures of some steps, each with the body that it is fixed in, found from its places in
-/// all of them: shapes of bodies, and the halves of joints. What keeps its place in no body, such as a
-/// spring, is left out, and so are vectors and lines.
+/// The solids in the pictures of some steps (shapes of bodies, and halves of joints), each with the body that
+/// it is fixed in. The body is found from the places of the solid at all steps. A solid that is fixed in no
+/// body, such as a spring, is left out, and so are vectors and lines.
 /// @param steps  indices into the story; at least one
 std::vector<RigidPart> rigid_parts_of(
     const Story& story, const PictureStyle& style, const std::vector<int>& steps);

@@ -13,7 +13,7 @@ namespace jw::film {
 
 namespace {
 
-/// Words in Unicode alone, in one line.
+/// A text in plain Unicode, in one line.
 std::string line_of(const std::string& words) { return in_one_line(math::plain_words(words)); }
 
 std::string text_of(const QuestionView& question) {
@@ -37,7 +37,7 @@ std::string clock_text(double seconds) {
     return text.data();
 }
 
-/// A value of ffmetadata: its own signs have a backslash before them.
+/// A value of ffmetadata, with a backslash before special characters.
 std::string escaped(const std::string& text) {
     std::string value;
     for (const char c : text) {
@@ -100,7 +100,7 @@ std::vector<Chapter> chapters_of(const Story& story, const std::vector<FilmPictu
 std::string webvtt(const std::vector<Caption>& captions) {
     std::string text = "WEBVTT\n";
     for (const Caption& caption : captions) {
-        // an arrow would be read as one of times: its '>' is escaped
+        // an arrow "-->" in a text would be read as that of a time range: its '>' is escaped
         text += "\n" + clock_text(caption.from) + " --> " + clock_text(caption.to) + "\n" +
                 xml_text(caption.text) + "\n";
     }

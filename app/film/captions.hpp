@@ -6,14 +6,14 @@
 #include "app/film/film_pictures.hpp"
 #include "app/session/view/view.hpp"
 
-/// Captions and chapters of a film: its words beside its pictures.
+/// Captions and chapters of a film: its text in addition to its pictures.
 namespace jw::film {
 
-/// Words that stand below the pictures for a while.
+/// Text that is shown below the pictures for some time.
 struct Caption {
     double from = 0.0;  ///< [s]
     double to = 0.0;
-    std::string text;  ///< Unicode, formulas too; lines
+    std::string text;  ///< lines of Unicode, also for formulas
 };
 
 /// A part of a film to jump to: a joint, a driver, the motion.
@@ -23,8 +23,8 @@ struct Chapter {
     std::string title;
 };
 
-/// Words of a step as lines of Unicode: its title, what happened, what the author says; a question with its
-/// choices. A moment of the motion has the words of the author, not each number.
+/// Text of a step as lines of Unicode: its title, what happened, the text of the author; or a question with
+/// its choices. A moment of the motion has only title and text of the author, without its numbers.
 std::string caption_of(const View& view);
 
 /// Title of the lesson in one line of Unicode.

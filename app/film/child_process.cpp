@@ -12,7 +12,7 @@ namespace jw::film {
 
 namespace {
 
-/// Strings as the system wants them; they must outlive what is returned.
+/// Pointers to strings, with a null pointer at the end; the strings must outlive the pointers.
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
     std::vector<char*> pointers;
     pointers.reserve(words.size() + 1);
@@ -21,7 +21,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
     return pointers;
 }
 
-/// Files of a process that is to be started.
+/// Standard input and output of a process that is to be started.
 class Redirections {
 public:
     explicit Redirections(const Command& command) {

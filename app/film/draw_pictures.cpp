@@ -8,7 +8,7 @@ namespace jw::film {
 
 namespace {
 
-/// Paints pictures of a film; the words of a step are looked up once for all pictures on its way.
+/// Paints pictures of a film. The view of a step is computed once for all its pictures.
 class FilmPainter {
 public:
     explicit FilmPainter(const DrawnLesson& lesson)
@@ -34,7 +34,7 @@ private:
 void draw_missing(
     const DrawnLesson& lesson, std::span<const NumberedPicture> pictures, const host::FrameDraft& draft,
     const std::function<void(std::size_t there)>& progress) {
-    std::optional<FilmPainter> painter;  // takes a third of a second, which nothing may be missing for
+    std::optional<FilmPainter> painter;  // takes a third of a second: only if a picture is missing
     host::PictureWriter writer(draft.folder());
     std::size_t there = 0;
     for (const NumberedPicture& numbered : pictures) {

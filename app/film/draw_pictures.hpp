@@ -7,7 +7,7 @@
 #include "app/host/frames/frame_draft.hpp"
 #include "app/host/frames/frame_painter.hpp"
 
-/// Drawing the pictures of a film or of a folder into files.
+/// Draws the pictures of a film or of a folder into files.
 namespace jw::film {
 
 /// A picture and the number of its file.
@@ -16,7 +16,7 @@ struct NumberedPicture {
     FilmPicture picture;
 };
 
-/// A lesson that is drawn: what all pictures of a run have in common.
+/// A lesson to draw: what all pictures of a run have in common.
 struct DrawnLesson {
     const Story* story = nullptr;
     int width = 0;
@@ -24,15 +24,15 @@ struct DrawnLesson {
     host::FrameLook look;
 };
 
-/// Draws those of the pictures that are not there yet. Each depends on nothing but its step, so they are the
-/// same in whatever order, and by how many processes, they are drawn.
-/// @param progress  told the number of those that are there
+/// Draws the pictures that do not exist yet. Each one depends only on its step, so the pictures are the same
+/// in any order and with any number of processes.
+/// @param progress  called with the number of pictures that exist
 /// @throws std::runtime_error if OSMesa or a font is missing, or a picture cannot be written
 void draw_missing(
     const DrawnLesson& lesson, std::span<const NumberedPicture> pictures, const host::FrameDraft& draft,
     const std::function<void(std::size_t there)>& progress);
 
-/// Part `part` of `parts` equal ones, counted from 0: pictures next to each other, which have most in common.
+/// Part `part` of `parts` equal ones, counted from 0: consecutive pictures, which have most in common.
 std::span<const NumberedPicture> part_of(std::span<const NumberedPicture> all, int part, int parts);
 
 }  // namespace jw::film

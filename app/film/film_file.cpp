@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Progress = std::function<void(double share)>;
 
-// enough to see every colour that is shown for long
+// enough to find every colour that is shown for long
 constexpr std::size_t kSampledPictures = 24;
 
 render::Image picture_in(const host::FrameDraft& draft, std::size_t number) {
@@ -29,7 +29,7 @@ render::Image picture_in(const host::FrameDraft& draft, std::size_t number) {
     return render::decode_png(bytes, path.string(), render::Alpha::kept);
 }
 
-/// Colours of a film, from pictures all over it.
+/// Colours of a film, from evenly spaced pictures.
 std::vector<render::Rgb> colours_of(std::size_t pictures, const host::FrameDraft& draft) {
     render::ColourCensus census;
     const std::size_t samples = std::min(pictures, kSampledPictures);

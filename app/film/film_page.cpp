@@ -15,10 +15,10 @@ namespace jw::film {
 
 namespace {
 
-// who jumps into the motion draws at most so many parts of pictures, in a fraction of a second
+// most parts that are drawn after a jump into the motion: it takes a fraction of a second
 constexpr std::size_t kMostBetween = 24;
 
-/// Pictures as parts: a whole one now and then, and between them what has changed.
+/// Pictures as parts: a whole one at intervals, and between them only the area that has changed.
 class Parts {
 public:
     void add(const FilmPicture& picture, render::Image image) {
@@ -54,7 +54,7 @@ Json lines_of(const std::string& text) {
     return lines;
 }
 
-/// Words of each step that is shown, by its number.
+/// Text of each step that is shown, by its number.
 Json captions_by_step(const Story& story, const std::vector<FilmPicture>& pictures) {
     Json captions = Json::object();
     for (const FilmPicture& picture : pictures) {
@@ -74,7 +74,7 @@ Json chapters_json(const std::vector<Chapter>& chapters) {
     return json;
 }
 
-/// JSON within a script of the page: nothing in it ends the script.
+/// JSON for a script of the page, escaped so that it cannot end the script.
 std::string in_script(const Json& json) {
     std::string text;
     for (const char c : json_document(json, -1)) {

@@ -10,25 +10,25 @@ namespace jw::film {
 
 namespace {
 
-// of the time of a step; the rest is for reading
+// time of a step in which bodies move; the rest is for reading
 constexpr double kLongestWay = 0.8;   // s
 constexpr double kMostOfAStep = 0.5;  // of its time
-// what is less is not seen: a pixel or so of the picture
-constexpr double kSmallestMove = 1e-3;  // of the mechanism, and rad
+// a smaller move is not visible: about a pixel of the picture
+constexpr double kSmallestMove = 1e-3;  // of the size of the mechanism, and rad
 
-/// The largest move of a body between two poses, in lengths of the mechanism and in rad.
+/// The largest move of a body between two poses, relative to the size of the mechanism, or in rad.
 double move_between(const State& from, const State& to, double size) {
     double most = 0.0;
     for (std::size_t k = 0; k < to.r.size(); ++k) {
         most = std::max(most, (to.r[k] - from.r[k]).norm() / size);
-        // |p - p'| is half the angle for small ones; p and -p are the same turn
+        // for small angles |p - p'| is half the angle; p and -p are the same rotation
         const double turn = std::min((to.p[k] - from.p[k]).norm(), (to.p[k] + from.p[k]).norm());
         most = std::max(most, 2.0 * turn);
     }
     return most;
 }
 
-/// Distance from the middle of all bodies to the farthest, a scale for what is seen to move [m].
+/// Distance from the middle of all bodies to the farthest one [m], the scale of visible moves.
 double size_of(const State& state) {
     Vec3 middle = Vec3::Zero();
     for (const Vec3& r : state.r) { middle += r / static_cast<double>(state.r.size()); }
@@ -37,10 +37,10 @@ double size_of(const State& state) {
     return size > 0.0 ? size : 1.0;
 }
 
-/// Slow at both ends.
+/// The share of the way at a share of the time, slow at both ends.
 double eased(double share) { return share * share * (3.0 - 2.0 * share); }
 
-/// @param from,to  unit
+/// @param from,to  of unit length
 Vec4 turned_between(const Vec4& from, Vec4 to, double share) {
     double cosine = from.dot(to);
     if (cosine < 0.0) {
@@ -48,7 +48,7 @@ Vec4 turned_between(const Vec4& from, Vec4 to, double share) {
         cosine = -cosine;
     }
     const double angle = std::acos(std::min(cosine, 1.0));
-    // below this the sines are the angles to the last bit
+    // below this, sine and angle agree to the last bit
     if (angle < 1e-8) { return (from + share * (to - from)).normalized(); }
     return (std::sin((1.0 - share) * angle) * from + std::sin(share * angle) * to) / std::sin(angle);
 }

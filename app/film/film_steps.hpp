@@ -5,11 +5,11 @@
 #include "app/film/film_file.hpp"
 #include "app/host/frames/frame_painter.hpp"
 
-/// Options of a film and their limits: steps, size, look, format. For the program and the library, which give
-/// options other names.
+/// Options of a film and their limits: steps, size, look, format. The program and the library use them with
+/// different names of options.
 namespace jw::film {
 
-// below this the panels have no room; above it no film has a format
+// smaller frames have no room for panels; no film format allows larger ones
 inline constexpr int kSmallestWidth = 960;
 inline constexpr int kSmallestHeight = 540;
 inline constexpr int kSmallestWidthAlone = 320;  // without panels
@@ -31,22 +31,22 @@ struct StepRange {
     int last = 0;
 };
 
-/// Intervals of the motion of a lesson at so many pictures per second; 0 if nothing moves.
-/// @throws std::invalid_argument if these are too many
+/// Number of intervals of a lesson's motion at `fps` pictures per second; 0 if nothing moves.
+/// @throws std::invalid_argument if there are too many
 int intervals_for(const Lesson& lesson, double fps, const OptionNames& names = {});
 
-/// The steps from one to another, each "3", "crank" or "t=0.5"; empty: the first, the last.
-/// @throws std::invalid_argument naming the option, and what was expected
+/// The steps between two names such as "3", "crank" or "t=0.5"; empty names: the first and the last step.
+/// @throws std::invalid_argument that names the option, and what was expected
 StepRange steps_between(
     const std::string& from, const std::string& to, const Story& story, const OptionNames& names = {});
 
 /// Problem with the look of pictures of this size; empty if there is none.
 std::string problem_of_look(
     int width, int height, const host::FrameLook& look, const OptionNames& names = {});
-/// Problem with the format: transparency or repetition that it does not have, or ffmpeg that is not there;
-/// empty if there is none.
+/// Problem with the format: it has no transparency or repetition, or ffmpeg is missing; empty if there is
+/// none.
 std::string problem_of_format(const FilmSettings& settings, const OptionNames& names = {});
-/// True for a vector that says where the eye is: what is shorter than 1e-100 has lost its digits.
+/// True for a vector that can be the direction of the eye: shorter than 1e-100, it has lost its digits.
 bool is_direction(const Vec3& v);
 
 }  // namespace jw::film

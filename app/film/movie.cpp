@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// names that FrameDraft takes for its own
+// names that FrameDraft recognises as files of the program
 constexpr const char* kList = "film.ffconcat";
 constexpr const char* kCaptions = "film.vtt";
 constexpr const char* kMetadata = "film.ffmetadata";
 constexpr const char* kLog = "film.log";
 
-/// All digits that a double needs, with a point whatever the locale says.
+/// A number with 15 digits, and with a decimal point in every locale.
 std::string digits(double value) {
     std::ostringstream text;
     text.imbue(std::locale::classic());
@@ -37,11 +37,11 @@ std::string list_of(const std::vector<MoviePicture>& pictures) {
     for (const MoviePicture& picture : pictures) {
         text += "file " + picture.file + "\nduration " + digits(picture.seconds) + "\n";
     }
-    // the time of the last one counts only if another one follows
+    // the duration of a picture counts only if another one follows
     return text + "file " + pictures.back().file + "\n";
 }
 
-/// Arguments for how pictures are compressed: text stays sharp, flat areas stay flat.
+/// Arguments for the compression: text stays sharp, flat areas stay flat.
 std::vector<std::string> codec_of(const MovieSettings& settings) {
     if (settings.format == MovieFormat::mp4) {
         return {"-c:v",     "libx264", "-preset", "veryfast", "-tune",     "animation",  "-crf", "16",
@@ -61,8 +61,8 @@ std::vector<std::string> codec_of(const MovieSettings& settings) {
 std::vector<std::string> arguments_of(
     const fs::path& folder, const fs::path& film, const MovieSettings& settings) {
     const auto file = [&](const char* name) { return "file:" + (folder / name).string(); };
-    // colours are halved in width and height, so both are made even, and players take large pictures for
-    // BT.709; pictures are repeated last: that costs nothing
+    // the resolution of colours is halved in width and height, so both are made even. Players expect BT.709
+    // for large pictures. Pictures are repeated last, because that costs nothing
     const std::string filter =
         "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=" +
         std::string(settings.is_opaque ? "yuv420p" : "yuva420p") + ",fps=" + digits(settings.fps);

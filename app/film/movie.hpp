@@ -23,16 +23,16 @@ struct MoviePicture {
 
 struct MovieSettings {
     MovieFormat format = MovieFormat::mp4;
-    double fps = 30.0;  ///< of the film; longer pictures are repeated
+    double fps = 30.0;  ///< of the film; a picture that is shown longer is repeated
     bool is_opaque = true;
     std::string captions;  ///< WebVTT
     std::string metadata;  ///< of ffmpeg: title and chapters
 };
 
-/// Makes a film of PNG pictures. What ffmpeg needs, and what it says, is written into `folder`.
+/// Makes a film of PNG pictures. The input of ffmpeg and its messages are written into `folder`.
 /// @param folder  of the pictures
 /// @return the film, a file in `folder`
-/// @throws std::runtime_error with the last words of ffmpeg if it fails, or if there is none
+/// @throws std::runtime_error with the last message of ffmpeg if it fails, or if there is no ffmpeg
 std::filesystem::path make_movie(
     const std::filesystem::path& folder, const std::vector<MoviePicture>& pictures,
     const MovieSettings& settings);

@@ -27,8 +27,8 @@ fs::path log_of(const fs::path& folder, int part) {
     return folder / ("part-" + std::to_string(part + 1) + ".log");
 }
 
-/// The environment of this process with the number of a part in it. Each part draws with one thread: together
-/// they use all cores, and threads of one picture wait for each other.
+/// The environment of this process, with the number of a part in it. Each part draws with one thread: the
+/// parts together use all cores, and threads that share one picture wait for each other.
 std::vector<std::string> environment_of(int part, int parts) {
     const std::array<std::string, 2> own{
         std::string(kPartVariable) + "=" + std::to_string(part + 1) + "/" + std::to_string(parts),
@@ -43,7 +43,7 @@ std::vector<std::string> environment_of(int part, int parts) {
     return words;
 }
 
-/// Processes that end with this, whatever happens.
+/// Processes that are ended when this is destroyed.
 class Children {
 public:
     Children() = default;
@@ -59,7 +59,7 @@ public:
 
     void add(pid_t child) { running_.push_back(child); }
 
-    /// @param failed  set to the first one that has failed, from 0
+    /// @param failed  set to the index of a process that has failed, from 0
     /// @return false if all have ended
     bool are_running(int& failed) {
         bool any = false;
@@ -129,7 +129,7 @@ void run_parts(
 
 void end_with_parent() {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    // it may have ended before
+    // the parent may have ended before
     if (::getppid() == 1) { ::_exit(1); }
 }
 

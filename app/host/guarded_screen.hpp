@@ -9,15 +9,15 @@
 
 namespace jw::host {
 
-/// Nothing can be drawn any more.
+/// Thrown when nothing can be drawn any more.
 class GraphicsLost : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A `Screen` in a window: what fails while it draws costs a frame. The failure is shown at the foot of the
-/// picture and written to a log, once for each text; everything on the graphics card is then made anew, and
-/// the lesson with all that was tried in it stays as it is.
+/// A `Screen` in a window. A failure while it draws costs one frame: it is shown at the foot of the picture
+/// and written to a log, once for each text. All objects on the graphics card are then created again; the
+/// lesson and all experiments with it are kept.
 class GuardedScreen {
 public:
     /// Makes a screen as Screen does; `log` must outlive this object.
@@ -28,7 +28,7 @@ public:
 
     /// Draws as Screen::draw does.
     /// @return whether there is a picture to `show`
-    /// @throws GraphicsLost after kMostFailures failures without a picture between them
+    /// @throws GraphicsLost after kMostFailures failures without a faultless picture between them
     bool draw();
     /// Shows the picture as Screen::show does; only after a `draw` that returned true.
     void show();
@@ -45,7 +45,7 @@ private:
     Host* host_;
     std::ostream* log_;
     std::unique_ptr<Screen> screen_;
-    std::string pick_failure_;  ///< of the frame that is to be drawn
+    std::string pick_failure_;  ///< while the frame was laid out; `draw` reports it
     std::set<std::string> told_;
     int failures_ = 0;
 };

@@ -20,17 +20,17 @@ namespace jw::host {
 
 namespace {
 
-// a window manager may ask for less than the window offers: there the picture is cut
+// a window manager may ask for a smaller window: then the picture is cut off
 constexpr int kSmallestWidth = 320;
 constexpr int kSmallestHeight = 200;
-// between two looks at a measurement: fast enough to be watched, and it costs next to nothing
+// time between two looks at a measurement [s]: short enough to watch it, and cheap
 constexpr double kMeasuring = 0.25;
-// between two looks at a story that is told: pictures take time from the telling where there are no threads
+// time between two frames while a story is computed [s]: without threads, drawing delays the computation
 constexpr double kTelling = 0.2;
-// between two looks at an exercise whose numbers are drawn: short enough not to be noticed
+// time between two looks at an exercise in preparation [s]: too short to be noticed
 constexpr double kDrawingNumbers = 0.05;
 
-/// How far a key moves the list of keys, in parts of what is seen of it; 0: not at all.
+/// How far a key scrolls the list of keys, in parts of its visible height; 0: not at all.
 float way_of(Key key) {
     switch (key) {
         case Key::down: return 0.2F;
@@ -50,7 +50,7 @@ Host::Host(const HostSetup& setup)
       unsaved_(setup.unsaved),
       pictures_(setup.pictures),
       desk_({setup.catalogue, setup.progress, setup.judge_program}, setup.programs) {
-    // creating does not make it the current one if there is another
+    // a new context does not become current if there already is a current one
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -75,7 +75,7 @@ bool Host::open(
     const ReadResult read = file.read();
     notice_.blame(read.lesson ? "" : read.report());
     if (!read.lesson) { return false; }
-    // found again even if its story is given up
+    // listed as a recent lesson even if its story is cancelled
     shelf_.add_recent(path);
     attempt([this, file, lesson = shown_lesson(*read.lesson), at, experiments] {
         auto session = std::make_unique<Session>(lesson, true, storyteller());
@@ -92,7 +92,7 @@ bool Host::open(
     return true;
 }
 
-/// Another lesson takes the place of the open one.
+/// Replaces the open lesson by another one.
 void Host::take(LessonFile file, std::unique_ptr<Session> session) {
     keep_unsaved();
     unsaved_.begin_anew();
@@ -111,7 +111,7 @@ void Host::take(LessonFile file, std::unique_ptr<Session> session) {
     shown_.forget_session();
     hand_.let_go();
     pulled_.reset();
-    tabs_ = {.price = PriceTab(path)};  // what they remember is of the lesson before
+    tabs_ = {.price = PriceTab(path)};  // the old ones keep state of the previous lesson
     desk_.open(path);
     rouse();
 }
@@ -136,7 +136,7 @@ bool Host::look_at_file() {
 }
 
 void Host::keep_unsaved() {
-    // what is done to the lesson of an exercise is kept with the exercise
+    // changes to the lesson of an exercise are kept with the exercise
     if (!session_ || desk_.has_aside()) { return; }
     const std::string problem = unsaved_.keep(*session_, file_.path().stem().string());
     if (!problem.empty()) { say(tr("Unsaved experiments will be lost when the program ends: {0}", problem)); }
@@ -146,7 +146,7 @@ void Host::need_characters_of_lesson() {
     fonts_.need(panels::characters_of(session_->lesson()));
     const std::set<char32_t>& needed = fonts_.needed();
     if (std::exchange(told_of_font_, told_of_font_ || !needed.empty())) { return; }
-    // fonts of a page are its own
+    // a web page brings its own fonts: advice to install some would be useless
     if (state_.has_disk) { say(panels::advice_for(std::u32string(needed.begin(), needed.end()))); }
 }
 
@@ -174,7 +174,7 @@ void Host::resize(int width, int height, float density) {
     height = std::max(kSmallestHeight, height);
     const float scale = panels::scale_on_screen(width, height, {density, state_.text_scale});
     ImGui::SetCurrentContext(context_);
-    // of screens whose density is known, some are phones
+    // a screen whose density is known may be a phone
     const auto atlas = density > 0.0F ? render::AtlasSize::small : render::AtlasSize::usual;
     if (!fonts_.fit(scale)) { say(fonts_.load(scale, atlas)); }
     layout_ = window_layout(width, height, density, fonts_.scale());
@@ -225,7 +225,7 @@ void Host::act_on(const InputEvent& event) {
     if (state_.browser && act_in_browser(event, shelf_, requests)) { return carry_out(std::move(requests)); }
     if (state_.panel_keys && act_in_panel(event, state_)) { return; }
     const ImGuiIO& io = ImGui::GetIO();
-    // while somebody types, letters are letters
+    // while the user types into a field, letters are not commands
     if (io.WantTextInput) { return; }
     const Modifiers modifiers{io.KeyCtrl, io.KeyShift};
     if (act_in_exercises(event)) { return; }

@@ -22,7 +22,7 @@ Address Host::address() const {
     Address address;
     address.lesson = name_;
     if (state_.tab != Tab::step) { address.tab = word_of(kTabs, state_.tab); }
-    // an exercise has numbers of its own, and a place in no story
+    // an exercise has its own numbers, and is not a step of the story
     if (state_.tab == Tab::exercises && desk_.practice().exercise() != nullptr) {
         address.exercise = desk_.practice().exercise()->name;
         address.tab.clear();
@@ -60,7 +60,7 @@ void Host::arrive_at(const Address& address) {
     if (!state_.browser) { show_or_leave_browser(); }
 }
 
-/// All or nothing: whatever can fail comes before the first change.
+/// Everything that can fail comes before the first change, so that a failure changes nothing.
 void Host::arrive_in_lesson(const Address& address) {
     const Tab tab = address.exercise.empty() ? tab_of(address) : Tab::exercises;
     const std::filesystem::path path = shelf_.lesson_called(address.lesson);

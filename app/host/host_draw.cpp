@@ -32,7 +32,7 @@ void Host::draw_interface() {
     }
     panels::Box room = layout_.whole;
     if (shows_lesson()) {
-        // above the sheet of an answer, which has a field and buttons
+        // above the answer sheet, so that its field and buttons stay visible
         room = panels::box_of(layout_.scene);
         if (!shows_figure()) { room.height -= predictions_.height({ui, *session_, hand_.camera()}, room); }
     }
@@ -45,7 +45,7 @@ void Host::draw_interface() {
 
 void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& spots) {
     const View& view = session_->view();
-    // another step is read from its beginning; a motion goes on where it is
+    // a new step is scrolled to its beginning; moments of a motion keep the scroll position
     if (view.step != state_.scrolled_step) {
         if (view.kind != Step::Kind::motion) { state_.column = state_.caption = {}; }
         state_.scrolled_step = view.step;
@@ -68,7 +68,7 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
         timeline_bar(ui, layout_);
     }
 
-    // the thing under the pointer lights up in the next frame
+    // the object under the pointer is highlighted in the next frame
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const bool reachable = !ImGui::GetIO().WantCaptureMouse && !state_.help && !figure;
     const Pointed pointed = reachable ? pointed_at(spots, {mouse.x, mouse.y}) : Pointed{};
@@ -93,7 +93,7 @@ void Host::draw_tip(const std::vector<std::string>& lines, const panels::Box& be
     panels::draw_tip(canvas, {beside, layout_.whole}, lines);
 }
 
-/// Title and words of the step.
+/// Draws title and caption of the step.
 void Host::draw_step(const LessonUi& ui, const View& view) {
     panels::draw_title(ui.canvas, layout_.title, view);
     const float height = panels::caption_height(ui.canvas, layout_.caption, view);

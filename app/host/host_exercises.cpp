@@ -15,7 +15,7 @@ bool Host::shows_figure() const {
 }
 
 void Host::look_at_exercises() {
-    // other tabs need none of it
+    // other tabs do not need the exercises
     if (shows_lesson() && state_.tab == Tab::exercises) { desk_.practice().begin_reading(); }
     const ExerciseDesk::News news = desk_.look(open_lesson(), tabs_.exercises);
     if (news.any || news.other_picture) { rouse(); }
@@ -62,7 +62,7 @@ bool Host::begin_exercise(const std::string& name) {
     return true;
 }
 
-/// The exercise that an address has named begins once the exercises of its lesson are read.
+/// Begins the exercise that an address has named, when the exercises of its lesson have been read.
 void Host::begin_wanted_exercise() {
     if (wanted_exercise_.empty() || state_.tab != Tab::exercises || !shows_lesson()) { return; }
     if (desk_.practice().is_busy()) { return; }
@@ -73,7 +73,7 @@ void Host::begin_wanted_exercise() {
 
 bool Host::act_in_exercises(const InputEvent& event) {
     if (state_.tab != Tab::exercises || !shows_lesson() || state_.panel_keys) { return false; }
-    // what is led by hand is let go first
+    // Escape first lets go of a body that is led by hand
     if (event.key == Key::escape && session_->in_hand()) { return false; }
     Requests requests;
     if (!tabs_.exercises.act(event, desk_.practice(), requests)) { return false; }
@@ -109,7 +109,7 @@ void Host::carry_out_exercise(Command command) {
     }
 }
 
-/// The words around the figure of an exercise, in place of those of a step: it is no step of a story.
+/// Title and caption of an exercise's figure, which is not a step of a story.
 void Host::draw_figure(const Ui& ui) {
     View view;
     view.lesson_title = session_->lesson().title;

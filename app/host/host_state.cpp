@@ -9,11 +9,11 @@ namespace jw::host {
 
 namespace {
 
-// a screen reader says no more than a person wants to hear
+// a screen reader reads line by line: lines must not be long
 constexpr int kDescribedWidth = 100;
 
-/// Words of the tab, and of the step unless the figure of an exercise is shown: what is asked must not be
-/// read off the lesson.
+/// Words of the tab, and of the step unless the figure of an exercise is shown: the lesson must not give away
+/// the answer.
 std::string text_of(const Host& host) {
     std::string text;
     if (host.state().tab == Tab::exercises) { text = host.exercise_text() + '\n'; }

@@ -6,8 +6,8 @@
 
 namespace jw::host {
 
-/// State of the interface as JSON: title, step, tab, what was tried, where the eye is, and a description for
-/// those who do not see the picture.
+/// State of the interface as JSON: title, step, tab, experiments, camera, and a description for people who
+/// do not see the picture.
 std::string state_text(const Host& host);
 
 }  // namespace jw::host

@@ -7,7 +7,8 @@
 #include "app/host/host.hpp"
 #include "app/session/wording/messages.hpp"
 
-/// Acts that need stories: done at once where these are short, else done again when they have been told.
+/// Actions that need stories. If the stories are short, an action is done at once; else it is started again
+/// when they have been computed.
 namespace jw::host {
 
 Storyteller Host::storyteller() {
@@ -16,8 +17,8 @@ Storyteller Host::storyteller() {
     };
 }
 
-/// Does what may need stories, after all that waits for its turn. Met by NotToldYet, `act` is done again: it
-/// has changed nothing, or knows how far it came.
+/// Does `act`, which may need stories, after all actions that already wait. If it throws NotToldYet, it is
+/// done again later: it must have changed nothing, or know how far it came.
 void Host::attempt(std::function<void()> act) {
     waiting_.push_back(std::move(act));
     if (waiting_.size() == 1) { go_on_waiting(); }
@@ -33,7 +34,7 @@ void Host::go_on_waiting() {
             notice_.hush();
             return rouse();
         } catch (const std::exception& error) {
-            // the lesson is as it was before
+            // the lesson is unchanged
             const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
             say(tr("This could not be done: {0}", memory ? tr("out of memory") : error.what()));
         }
@@ -56,14 +57,14 @@ void Host::stop_telling() {
     say(tr("Stopped."));
 }
 
-/// @return true if the event is not acted on otherwise
+/// @return true if the event must not be used for anything else
 bool Host::act_while_telling(const InputEvent& event) {
     if (!is_telling()) { return false; }
     if (event.key == Key::escape && event.down) { stop_telling(); }
     return true;
 }
 
-/// A slider that is still held goes where the pointer is when the story is there.
+/// Remembers the value of a slider that is still held, to apply it when the story is there.
 void Host::pull_while_telling(const Experiment& experiment) {
     const bool is_slider =
         std::holds_alternative<SetGeometry>(experiment) || std::holds_alternative<SetDriver>(experiment);

@@ -39,7 +39,7 @@ bool is_software(const render::GlFunctions& gl) {
            renderer.find("softpipe") != std::string_view::npos;
 }
 
-/// Inputs that the bodies were drawn from: while they are the same, only panels are drawn anew.
+/// Inputs that the bodies were drawn from. While they are the same, only the panels are drawn again.
 struct Drawn {
     std::uint64_t version = 0;
     render::Camera camera;
@@ -51,7 +51,7 @@ struct Drawn {
 
 }  // namespace
 
-/// Pictures of the story as it is now, one per frame of the window, so that the window stays alive.
+/// Records the present story, one picture per frame of the window, so that the window keeps responding.
 struct Screen::Recording {
     static constexpr int kWidth = 1280;
     static constexpr int kHeight = 720;
@@ -82,13 +82,13 @@ struct Screen::Surface {
     render::IdBuffer ids;
     render::ImguiBackend panels;
     int fonts_version;
-    bool software;  ///< drawn by the processor: smooth edges wait until nothing moves
+    bool software;                                  ///< drawn by the CPU: edges are smoothed only at rest
     std::unique_ptr<render::RenderTargets> still;   ///< multisampled
     std::unique_ptr<render::RenderTargets> moving;  ///< one sample per pixel; only where drawing is slow
     render::RenderTargets* targets = nullptr;       ///< the one of this frame
     std::unique_ptr<render::RenderTargets> small;   ///< for thumbnails
     std::vector<std::unique_ptr<render::PictureTexture>> thumbnails;
-    LongTelling telling;  ///< of the lesson whose thumbnail is next
+    LongTelling telling;  ///< of the lesson whose thumbnail comes next
     std::optional<Drawn> drawn;
     std::unique_ptr<Recording> recording;
 };
@@ -101,7 +101,7 @@ Screen::Screen(const render::GlFunctions& gl, Host& host)
 
 Screen::~Screen() {
     host_->set_picker({});
-    // the textures go with this
+    // the textures are destroyed with this screen
     for (CatalogueEntry& entry : host_->shelf().entries()) { entry.thumbnail = nullptr; }
     if (!surface_->recording) { return; }
     try {
@@ -149,7 +149,7 @@ void Screen::draw() {
 void Screen::draw_scene() {
     Surface& s = *surface_;
     if (!host_->shows_lesson()) {
-        // whatever is below the browser
+        // the browser overwrites the bodies in the framebuffer
         s.drawn.reset();
         s.targets->begin_3d(render::toned(
             render::palette::kPaper, host_->state().dark ? render::Tone::dark : render::Tone::light));
@@ -225,7 +225,7 @@ void Screen::draw_thumbnail(const std::filesystem::path& path, const ToldLesson&
 }
 
 void Screen::carry_out_task() {
-    // given up by the person: what is there is whole
+    // stopped by the user: the pictures recorded so far are finished
     if (surface_->recording && host_->task() != DrawingTask::record) { finish_recording(); }
     if (host_->task() == DrawingTask::none) { return; }
     try {

@@ -7,29 +7,29 @@
 #include "render/gl_functions.hpp"
 #include "render/image.hpp"
 
-/// Draws a host through a table of GL functions: the same in a window and in memory.
+/// Draws a host through a table of GL functions, in a window or in memory.
 namespace jw::host {
 
 class Screen {
 public:
-    /// The context must be current here, in every call and at destruction; `gl` and `host` must outlive this.
+    /// The GL context must be current here, in every call and at destruction. `gl`, `host` must outlive this.
     Screen(const render::GlFunctions& gl, Host& host);
     ~Screen();
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
 
-    /// Draws what the last Host::frame left, and carries out its task.
+    /// Draws the result of the last Host::frame, and carries out the host's task.
     /// @throws std::runtime_error if the driver cannot make the framebuffers
     void draw();
     /// GL errors of the last `draw`, in words; empty if there were none.
     const std::string& complaint() const { return complaint_; }
-    /// Number of the thing drawn at a pixel of the frame, 0 for nothing. @throws as `draw`
+    /// Number of the object drawn at a pixel of the frame, 0 for nothing. @throws as `draw`
     int pick(float x, float y);
-    /// True if no picture of a lesson is missing in the browser.
+    /// True if the browser shows the pictures of all lessons.
     bool is_complete() const;
     /// The picture as it was drawn.
     render::Image read();
-    /// To the lower left corner of the window's own framebuffer.
+    /// Copies the picture to the lower left corner of the window's framebuffer.
     void show() const;
 
 private:

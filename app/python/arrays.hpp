@@ -9,19 +9,19 @@
 
 #include "jointwise/trajectory.hpp"
 
-/// Numbers between Python and the library: arguments are read from anything that numpy takes for numbers,
-/// results are seen in place.
+/// Numbers between Python and the library. Arguments may be anything that numpy accepts as numbers; results
+/// are viewed in place, without a copy.
 namespace jointwise::python {
 
 namespace py = pybind11;
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Numbers of an argument, in rows. @throws py::value_error that names it, if they are no numbers
+/// Numbers of an argument, in rows. @throws py::value_error that names the argument if it has no numbers
 Numbers numbers_of(const py::handle& value, const char* what);
 std::vector<double> list_of(const py::handle& value, const char* what);
 
-/// One vector of N. @throws py::value_error if there are more or fewer
+/// One vector of N numbers. @throws py::value_error if there are more or fewer
 template <int N>
 Eigen::Matrix<double, N, 1> vector_of(const py::handle& value, const char* what) {
     const Numbers numbers = numbers_of(value, what);
@@ -36,7 +36,7 @@ Eigen::Matrix<double, N, 1> vector_of(const py::handle& value, const char* what)
 std::optional<Vector3> optional_vector_of(const py::handle& value, const char* what);
 Matrix3 matrix_of(const py::handle& value, const char* what);
 
-/// Rows of N numbers as a vector each.
+/// Rows of N numbers, each as a vector.
 template <int N>
 std::vector<Eigen::Matrix<double, N, 1>> rows_of(const py::handle& value, const char* what) {
     const Numbers numbers = numbers_of(value, what);
@@ -49,7 +49,7 @@ std::vector<Eigen::Matrix<double, N, 1>> rows_of(const py::handle& value, const 
     return rows;
 }
 
-/// An array of its own, for few numbers.
+/// An array with its own copy, for few numbers.
 inline Numbers copied(const Eigen::VectorXd& v) { return Numbers(v.size(), v.data()); }
 
 inline Numbers copied_list(const std::vector<double>& v) {
@@ -58,7 +58,7 @@ inline Numbers copied_list(const std::vector<double>& v) {
 
 enum class Access { read, write };
 
-/// Numbers of `owner` in place: the array keeps it alive. Strides in numbers, not in bytes.
+/// A view of the numbers of `owner`; the array keeps it alive. Strides count numbers, not bytes.
 py::array view_of(
     const double* data, const std::vector<py::ssize_t>& shape, const std::vector<py::ssize_t>& strides,
     const py::handle& owner, Access access);
@@ -67,7 +67,7 @@ py::array view_of(const Eigen::VectorXd& v, const py::handle& owner);
 py::array view_of(const Eigen::MatrixXd& m, const py::handle& owner);  ///< columns lie together
 py::array view_of(const Table& m, const py::handle& owner);            ///< rows lie together
 
-/// Vectors of N as an array of rows of N, which can be written.
+/// Vectors of N numbers as an array with rows of N, which can be written.
 template <int N>
 py::array view_of(std::vector<Eigen::Matrix<double, N, 1>>& rows, const py::handle& owner) {
     const double* data = rows.empty() ? nullptr : rows.front().data();
@@ -75,7 +75,7 @@ py::array view_of(std::vector<Eigen::Matrix<double, N, 1>>& rows, const py::hand
 }
 py::array view_of(std::vector<double>& numbers, const py::handle& owner);
 
-/// Takes other numbers into rows that views may see: there must be as many.
+/// Puts other numbers into rows that views may show: there must be as many numbers.
 template <class T>
 void assign(std::vector<T>& to, std::vector<T> from, const char* what) {
     if (to.size() != from.size()) {

@@ -4,8 +4,7 @@
 
 #include "jointwise/evaluator.hpp"
 
-/// The parts of the module, in the order in which module.cpp adds them: each adds the types that later ones
-/// name.
+/// The parts of the module, in the order in which module.cpp adds them: each adds types that later ones use.
 namespace jointwise::python {
 
 namespace py = pybind11;
@@ -21,17 +20,17 @@ void add_lessons(py::module_& module);
 void add_pictures(py::module_& module);
 void add_films(py::module_& module);
 
-/// Calls `f` while other threads of Python may run: f touches nothing that belongs to Python, and its
-/// arguments are its own.
+/// Calls `f` while other Python threads may run. `f` uses nothing that belongs to Python, and owns its
+/// arguments.
 template <class F>
 auto in_parallel(F&& f) {
     const py::gil_scoped_release release;
     return std::forward<F>(f)();
 }
 
-/// Calls `f` as `in_parallel` does, with what it has to ask now and then: false if a signal asks Python to
-/// stop, as Ctrl-C and interrupting a notebook do. What the handler of the signal has raised then comes
-/// before the NotReached with which f gives up.
+/// Calls `f` like `in_parallel`, with a function that it must call now and then: this returns false if a
+/// signal asks Python to stop, like Ctrl-C or the interruption of a notebook. An exception of the signal's
+/// handler then takes precedence over the NotReached with which `f` ends.
 template <class F>
 auto until_interrupted(F&& f) {
     bool interrupted = false;
@@ -50,7 +49,7 @@ auto until_interrupted(F&& f) {
 /// An argument `coordinates`: a member of Coordinates or its name. @throws py::value_error
 Coordinates coordinates_of(const py::object& value);
 
-/// An argument `velocities`: None is rest. @return the argument itself, or `at_rest`, filled
+/// An argument `velocities`: None means rest. @return the argument itself, or the filled `at_rest`
 const Rates& rates_or_rest(const Rates* velocities, const Pose& pose, Rates& at_rest);
 
 /// "4 bodies": a count in words for __repr__.

@@ -7,7 +7,7 @@ namespace jointwise::python {
 
 namespace {
 
-/// The exception with the places of the mistakes, so that an editor need not read the text.
+/// Raises the exception with the places of the mistakes, so that an editor need not parse the text.
 void raise(const py::handle& type, const LessonError& error) {
     const py::object raised = type(error.what());
     raised.attr("mistakes") = py::cast(error.mistakes());
@@ -35,7 +35,7 @@ void add_errors(py::module_& module) {
 
     py::register_exception<NotReached>(module, "NotReached", PyExc_RuntimeError).doc() =
         "The numerics could not do it; the text names time and joint.";
-    // they live as long as the interpreter: nothing may release them after it
+    // they live as long as the interpreter: they must not be released after it
     static py::handle lesson_error =
         py::exception<LessonError>(module, "LessonError", PyExc_ValueError).release();
     lesson_error.doc() =

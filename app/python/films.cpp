@@ -27,7 +27,7 @@ std::string size_text(const Film& film, std::size_t bytes) {
     return text + numbers;
 }
 
-/// The film as an element of HTML that needs no other file: an APNG, which all browsers play, with its size.
+/// The film as an HTML element that needs no other file: an APNG, which all browsers play, with its size.
 std::string html_of(const Film& film) {
     const py::object folder = py::module_::import("tempfile").attr("TemporaryDirectory")();
     const py::object path =

@@ -8,7 +8,7 @@ namespace jointwise::python {
 
 namespace {
 
-/// A table that belongs to its array.
+/// The table as an array that owns it.
 py::array array_of(Table table) {
     auto owned = std::make_unique<Table>(std::move(table));
     const Table& numbers = *owned;

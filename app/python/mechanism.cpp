@@ -8,7 +8,7 @@ namespace jointwise::python {
 namespace {
 
 /// An argument that names a body or a joint: its number, or its name.
-/// @throws py::value_error for a name of none, py::type_error for what is neither
+/// @throws py::value_error for a name that nothing has, py::type_error for what is neither
 int number_of(const py::object& value, const std::vector<std::string>& names, const std::string& what) {
     if (!py::isinstance<py::str>(value)) {
         const long number = PyIndex_Check(value.ptr()) != 0 ? PyLong_AsLong(py::int_(value).ptr()) : -1;

@@ -8,13 +8,13 @@ namespace jointwise::python {
 
 namespace {
 
-/// A part of a table as an array: numbers of every body, or what comes after all bodies.
+/// A part of a table as an array: numbers of every body, or the numbers that follow those of all bodies.
 struct Part {
     const char* name;
     Table Trajectory::*table;
     int of_body;  ///< columns of the table for each body
     int first;    ///< of the part among them
-    int width;    ///< numbers of the part; 0: the numbers behind the bodies
+    int width;    ///< numbers of the part; 0: the numbers after those of the bodies
     const char* doc;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
-// of pictures that nobody asked for in a size: half a page of a notebook
+// for pictures without a requested size: half the width of a notebook's page
 constexpr int kInlineWidth = 640;
 constexpr int kInlineHeight = 360;
 
@@ -37,7 +37,7 @@ Image drawn(const T& what, Pose pose, int width, int height) {
 const Mechanism& mechanism_of(const Mechanism& mechanism) { return mechanism; }
 const Mechanism& mechanism_of(const Lesson& lesson) { return lesson.mechanism(); }
 
-/// Picture for a notebook: assembled, or where that fails as it was given.
+/// Picture for a notebook: assembled, or as given if that fails.
 template <class T>
 py::bytes inline_png(const T& what) {
     Pose pose = start_pose(mechanism_of(what));

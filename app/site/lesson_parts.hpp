@@ -8,10 +8,10 @@
 
 namespace jw::site {
 
-/// Parts of the page of a lesson as HTML; each empty where the lesson has nothing to say there.
+/// Parts of the page of a lesson as HTML. A part for which the lesson has nothing is empty.
 class LessonParts {
 public:
-    /// @param top  way to the top of the site; all must outlive this
+    /// @param top  relative path to the top of the site; all must outlive this
     LessonParts(const SiteLesson& lesson, const Story& story, const std::string& top)
         : lesson_(&lesson), story_(&story), top_(&top) {}
 
@@ -25,7 +25,7 @@ public:
 private:
     std::string station(const Station& station) const;
     std::string exercise(const Exercise& exercise) const;
-    /// Link that shows a place of the live figure.
+    /// Link that shows an address in the live figure.
     std::string go(const std::string& fragment, const char* words) const;
     std::string part(const char* id, const std::string& title, const std::string& content) const;
 
@@ -34,7 +34,7 @@ private:
     const std::string* top_;
 };
 
-/// Name of the folder of lessons below `course` of a site: exercises lie beside it.
+/// Name of the folder of lessons below `course` of a site; the folder of exercises is beside it.
 std::string lessons_folder_of(const SiteCourse& course);
 
 }  // namespace jw::site

@@ -20,7 +20,7 @@ constexpr const char* kPolicy =
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Texts between blank lines, each in one line.
+/// Paragraphs of a text, which blank lines separate, each in one line.
 std::vector<std::string> paragraphs_of(const std::string& text) {
     std::vector<std::string> paragraphs;
     std::size_t begin = 0;
@@ -87,14 +87,14 @@ std::string path_in_address(const std::string& path) { return percent_encoded(pa
 std::string source_html(const std::string& source, const std::string& top) {
     const std::string shown = shown_slides(source);
     const std::vector<int> slides = slide_numbers(source);
-    // behind the semicolon are books, whose numbers are no slides
+    // after the semicolon come books, whose numbers are not slides
     const std::size_t end = std::min(shown.find(';'), shown.size());
     std::string html;
     for (std::size_t k = 0; k < shown.size();) {
         std::size_t next = k;
         while (next < end && is_digit(shown[next])) { ++next; }
         const std::string number = shown.substr(k, next - k);
-        // longer ones are none of `slides`
+        // longer numbers cannot be in `slides`
         const bool known = !number.empty() && number.size() < 6 &&
                            std::ranges::find(slides, std::stoi(number)) != slides.end();
         if (known) {

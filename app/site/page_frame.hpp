@@ -5,11 +5,11 @@
 
 #include "app/site/site_course.hpp"
 
-/// Parts that all pages of a site share. Pages are HTML that is well-formed XML, too, so that tests can read
-/// them; they run no script and load no file but the site's own, which their content security policy says.
+/// Parts that all pages of a site share. Pages are HTML that is also well-formed XML, so that tests can read
+/// them. They use only scripts and files of the site, and their content security policy says so.
 namespace jw::site {
 
-/// A page and its place.
+/// Path, title and description of a page.
 struct PageFrame {
     std::string path;         ///< below the top of the site, with slashes: "lessons/loops/four-bar.html"
     std::string title;        ///< in Unicode
@@ -18,14 +18,14 @@ struct PageFrame {
 
 std::string page_html(const SiteCourse& course, const PageFrame& page, const std::string& content);
 
-/// Way from a page to the top of the site: "../../", empty for pages there.
+/// Relative path from a page to the top of the site: "../../"; empty for pages at the top.
 std::string way_to_top(std::string_view path);
 
-/// Words with formulas between dollar signs, in one line of an editor or several, as HTML of one line.
+/// Text with formulas between dollar signs, in one line or several, as HTML without paragraphs.
 std::string words_html(const std::string& words);
-/// Words likewise, in paragraphs: a blank line begins the next.
+/// Such a text as HTML with paragraphs: a blank line begins the next one.
 std::string paragraphs_html(const std::string& words);
-/// Words in Unicode alone, in one line.
+/// Such a text in plain Unicode, in one line.
 std::string words_plain(const std::string& words);
 
 std::string link_html(const std::string& address, const std::string& content, const char* classes = "");
@@ -33,7 +33,7 @@ std::string link_html(const std::string& address, const std::string& content, co
 /// Path of a file for an address: "a b/c#.html" becomes "a%20b/c%23.html".
 std::string path_in_address(const std::string& path);
 
-/// "slides 3, 8; book ch. 7" with links to what the site knows of each slide.
+/// "slides 3, 8; book ch. 7" with a link from each slide to its part of slides.html.
 std::string source_html(const std::string& source, const std::string& top);
 
 }  // namespace jw::site

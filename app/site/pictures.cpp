@@ -10,10 +10,10 @@ namespace jw::site {
 
 namespace {
 
-// of the frame, as the program shows it
+// size of the frame, as in the program
 constexpr int kFrameWidth = 1280;
 constexpr int kFrameHeight = 720;
-// of a station: on the page half as wide, for screens with two pixels in place of one
+// size of the picture of a station: twice the size on the page, for screens of high resolution
 constexpr int kPictureWidth = 800;
 constexpr int kPictureHeight = 500;
 
@@ -28,7 +28,7 @@ render::Image halved(const render::Image& image) {
     const bool is_opaque = image.alpha.empty();
     for (int y = 0; y < half.height; ++y) {
         for (int x = 0; x < half.width; ++x) {
-            // what is transparent has no colour
+            // transparent pixels have no colour, so the mean is weighted by opacity
             std::array<unsigned, 3> sum{};
             unsigned weight = 0;
             for (const auto& [dx, dy] :

@@ -11,12 +11,13 @@ namespace jw::site {
 
 struct SiteOutput {
     std::filesystem::path out;
-    std::filesystem::path page;    ///< files of the program as a page
-    std::filesystem::path slides;  ///< a file to be copied to where the course says; empty: none
+    std::filesystem::path page;    ///< folder of the program as a page
+    std::filesystem::path slides;  ///< file to copy to SiteCourse::slides; empty: none
 };
 
-/// Writes the site of a course; a folder that has one gets the new one in its place, or keeps it.
-/// @param progress  told the share that is done, 0 to 1
+/// Writes the site of a course. It replaces a site that is already in the folder; after a failure the old
+/// site is still there.
+/// @param progress  called with the fraction that is done, 0 to 1
 /// @throws std::runtime_error if something cannot be read, drawn or written
 void write_site(
     const SiteCourse& course, const SiteOutput& output, const std::function<void(double)>& progress);

@@ -22,14 +22,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// a source that names more slides than a lecture has is a mistake of its author
+// no lecture has more: a source that names more slides is a mistake of its author
 constexpr int kMostSlides = 1000;
 
 class CourseReader {
 public:
     CourseReader(fs::path folder, const fs::path& exercises) {
         read_.course.folder = std::move(folder);
-        // of a chapter alone there are none: files of exercises are about several
+        // a single chapter has no folder of exercises beside it: such files are about several chapters
         const fs::path beside = fs::absolute(read_.course.folder) / ".." / kExercisesFolder;
         std::error_code error;
         if (!exercises.empty()) {
@@ -47,7 +47,7 @@ public:
             progress(static_cast<double>(k) / static_cast<double>(found.lessons.size()));
             add(found.lessons[k], found.chapters);
         }
-        // those of lessons that are not there were refused by their reader
+        // exercises of lessons that do not exist were refused when they were read
         for (const Exercise& exercise : exercises_[{}]) {
             read_.notes.push_back("exercise '" + exercise.name + "' belongs to no lesson; it is left out");
         }
@@ -95,7 +95,7 @@ private:
         read_.course.lessons.push_back(std::move(lesson));
     }
 
-    /// Pages may be put on disks that take capitals for small letters.
+    /// Refuses names of pages that differ only in capitals: many disks take them for the same name.
     void check_page(const SiteLesson& lesson) {
         std::string page = lesson.name;
         std::ranges::transform(page, page.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -119,7 +119,7 @@ private:
         }
     }
 
-    /// The chapter that an entry belongs to, begun if it is the first one of it.
+    /// The chapter of an entry, which is created for its first entry.
     SiteChapter& chapter_of(const CourseLessons::Entry& entry, const std::vector<Chapter>& chapters) {
         std::vector<SiteChapter>& all = read_.course.chapters;
         const auto begun = std::ranges::find(all, entry.folder, &SiteChapter::name);
@@ -142,7 +142,7 @@ private:
     SiteCourseRead read_;
     std::map<std::string, fs::path> pages_;                   ///< files of lessons by names in small letters
     std::set<std::string> names_;                             ///< of exercises
-    std::map<std::string, std::vector<Exercise>> exercises_;  ///< by lesson, until they are given to it
+    std::map<std::string, std::vector<Exercise>> exercises_;  ///< by lesson, until the lesson takes them
 };
 
 }  // namespace

@@ -23,16 +23,16 @@ constexpr const char* kFormat = "jointwise site";
 constexpr int kVersion = 1;
 constexpr std::size_t kMostBytes = 1U << 20U;  // of the manifest
 
-/// True for names that stay whatever is written: those of version control.
+/// True for names that are never touched: hidden ones, such as those of version control.
 bool is_hidden(const std::string& name) { return name.starts_with('.'); }
 
-/// True for the name of a part of a site, which leads nowhere else.
+/// True for a name that can be part of a site, and cannot lead out of its folder.
 bool is_part(const std::string& name) {
     return !name.empty() && !is_hidden(name) && name != kManifest && fs::path(name).filename() == name;
 }
 
-/// Files and folders at the top of the site that a folder has; none if it has no manifest.
-/// @throws std::runtime_error if what stands there is no manifest of ours
+/// Files and folders at the top of the site in a folder; none if the folder has no manifest.
+/// @throws std::runtime_error if the manifest is not one of the program
 std::set<std::string> top_of_site_in(const fs::path& folder) {
     const fs::path file = folder / kManifest;
     std::error_code error;
@@ -59,7 +59,7 @@ std::set<std::string> top_of_site_in(const fs::path& folder) {
     return names;
 }
 
-/// Renames that are undone together unless all of them have succeeded.
+/// Renames that are all undone unless all of them succeed.
 class Renames {
 public:
     ~Renames() {
@@ -96,7 +96,7 @@ SiteFolder::SiteFolder(fs::path folder)
         host::refuse(
             folder_ / name, "is no part of a site; expected an empty folder, or one with a site of before");
     }
-    // a run was killed while places were taken: the site of before comes back
+    // a run was killed while it replaced the old site: put the old site back
     for (const std::string& name : host::names_in(replaced_)) {
         fs::remove_all(folder_ / name);
         fs::rename(replaced_ / name, folder_ / name);
@@ -110,7 +110,7 @@ SiteFolder::SiteFolder(fs::path folder)
 SiteFolder::~SiteFolder() {
     std::error_code ignored;
     fs::remove_all(draft_, ignored);
-    // made for a site that failed: it is empty
+    // created for a site that failed, so it is empty
     if (is_new_) { fs::remove(folder_, ignored); }
 }
 
@@ -127,7 +127,7 @@ void SiteFolder::finish() {
     const std::vector<std::string> made = host::names_in(draft_);
     const std::set<std::string> before = top_of_site_in(folder_);
     Json manifest{{"format", kFormat}, {"version", kVersion}, {"top", made}};
-    // until everything is in its place both are ours
+    // until everything is in its place, the files of both sites are listed
     Json both = manifest;
     for (const std::string& name : before) {
         if (std::ranges::find(made, name) == made.end()) { both["top"].push_back(name); }
@@ -141,7 +141,7 @@ void SiteFolder::finish() {
         }
     }
     for (const std::string& name : made) { renames.move(draft_ / name, folder_ / name); }
-    // while everything can go back: there may be no room for the list
+    // written while the renames can still be undone: there may be no room for the list
     render::write_file_atomically(folder_ / kManifest, json_document(manifest));
     renames.keep();
     std::error_code ignored;

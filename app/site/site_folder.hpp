@@ -10,14 +10,14 @@
 
 namespace jw::site {
 
-/// A folder with a site, which appears whole or not at all: it is written beside what is there and takes its
-/// place when it is complete. What is killed while places are taken is put back by the next run. Folders of
-/// the site are its own; a file beside them that is none of the site's keeps it from being written. Nobody
-/// else writes a site into the folder meanwhile.
+/// A folder with a site. The new site is written beside the old one, and replaces it only when it is
+/// complete. If a run is killed during the replacement, the next run puts the old site back. The subfolders
+/// of the site belong to it completely; a foreign file beside them prevents the writing. Meanwhile the folder
+/// is locked against other runs that write a site.
 class SiteFolder {
 public:
-    /// @throws std::runtime_error if the folder cannot be made, or if it has files of somebody else and no
-    /// site
+    /// @throws std::runtime_error if the folder cannot be created, is in use, or has files that are not part
+    ///         of a site
     explicit SiteFolder(std::filesystem::path folder);
     ~SiteFolder();
     SiteFolder(const SiteFolder&) = delete;
@@ -25,19 +25,19 @@ public:
 
     /// Folder that the site is written into until it is complete.
     const std::filesystem::path& draft() const { return draft_; }
-    /// Writes a file of the site, its folders included. @param path  below the top of the site
-    /// @throws std::runtime_error if that cannot be done
+    /// Writes a file of the site, and creates its folders. @param path  below the top of the site
+    /// @throws std::runtime_error if the file cannot be written
     void write(const std::string& path, std::string_view text) const;
     void write(const std::string& path, std::span<const std::uint8_t> bytes) const;
-    /// Takes the place of the site that was there before.
+    /// Replaces the old site by the new one.
     void finish();
 
 private:
     std::filesystem::path folder_;
     std::filesystem::path draft_;
-    std::filesystem::path replaced_;  ///< what was there before, while places are taken
+    std::filesystem::path replaced_;  ///< the old site, during the replacement
     host::FolderLock lock_;
-    bool is_new_ = false;  ///< the folder was not there before
+    bool is_new_ = false;  ///< the folder did not exist before
 };
 
 }  // namespace jw::site

@@ -8,9 +8,9 @@ namespace jw::site {
 
 namespace {
 
-// of a story with more stations only those with words of the author are drawn: nobody looks at forty pictures
+// of a story with more stations, only those with a text of the author get a picture: forty would be too many
 constexpr std::size_t kAllPictured = 12;
-// moments of a motion with words of their own; a page is no film
+// moments of a motion: a page is not a film
 constexpr std::size_t kMostMoments = 6;
 
 const Step& step_at_index(const Story& story, int index) {
@@ -28,7 +28,8 @@ Station station_of(const Story& story, const Stretch& stretch) {
     return station;
 }
 
-/// The moments at which the author says something else, and one in the middle for what is always true.
+/// The moments at which a text of the author begins. If the first of them is later than the start of the
+/// motion, also a moment in the middle of the time before it.
 std::vector<Station> moments_of(const Story& story, const Stretch& stretch) {
     std::vector<int> moments;
     for (int k = stretch.first; k <= stretch.last; ++k) {

@@ -5,15 +5,15 @@
 
 #include "app/session/story/story.hpp"
 
-/// Places of a story that the page of its lesson tells: the bodies, each joint and driver, the motion.
+/// Places of a story that the page of its lesson describes: the bodies, each joint and driver, the motion.
 namespace jw::site {
 
 struct Station {
     std::string id;        ///< of its part of the page: "step-5"
     int equations = -1;    ///< step at which its equations are shown; -1: it has none
-    int told = 0;          ///< step whose words and numbers stand there
+    int told = 0;          ///< step whose text and numbers are shown
     bool moves = false;    ///< a moment of the motion
-    bool pictured = true;  ///< of a long story only what its author has words for
+    bool pictured = true;  ///< in a long story only with a text of the author
 };
 
 std::vector<Station> stations_of(const Story& story);

@@ -11,7 +11,7 @@ namespace jw::snapshot {
 
 namespace {
 
-constexpr int kFewPixels = 5;  // of a thing: its edge, rounded otherwise
+constexpr int kFewPixels = 5;  // of a thing: its edge may be rounded differently
 
 std::string size_text(const render::Image& image) {
     return std::to_string(image.width) + "x" + std::to_string(image.height);
@@ -21,7 +21,8 @@ std::string per_cent(double part) { return short_number(100.0 * part, 3) + " %";
 
 int depth_at(const render::Image& depth, int x, int y) { return 256 * depth.at(x, y)[0] + depth.at(x, y)[1]; }
 
-/// Pixels of another depth where both pictures show the same thing: at its edge another depth is no wonder.
+/// Pixels with another depth where both pictures show the same thing. At the edge of a thing, another depth
+/// is expected.
 render::PixelMask depth_mask(const Snapshot& before, const Snapshot& now, int steps) {
     render::PixelMask mask(now.layers.depth.width, now.layers.depth.height);
     for (int y = 0; y < mask.height; ++y) {
@@ -45,7 +46,7 @@ LayerDifference layer_of(
     return difference;
 }
 
-/// Pixels of each thing of a picture of ids.
+/// Number of pixels of each thing in a picture of ids.
 std::map<std::string, int> areas_of(const Snapshot& snapshot) {
     std::map<std::string, int> areas;
     const render::Image& ids = snapshot.layers.ids;

@@ -12,7 +12,7 @@
 /// Two snapshots of the same thing, compared layer by layer.
 namespace jw::snapshot {
 
-/// How far apart two pictures of a layer are, and whether the rules allow that.
+/// How much two pictures of a layer differ, and whether the rules allow that.
 struct LayerDifference {
     std::string broken;    ///< the rule that is broken, with its numbers; empty if none is
     render::Image marked;  ///< where they differ; empty if they are equal
@@ -20,14 +20,14 @@ struct LayerDifference {
 };
 
 struct Difference {
-    std::vector<FactChange> facts;           ///< in the order of what matters, without `steps`
+    std::vector<FactChange> facts;           ///< most important first, without `steps`
     std::optional<StepNumber> steps_before;  ///< set if the lesson had another number of steps
     std::vector<std::string> loose;          ///< numbers whose tolerance in the golden file proves nothing
     LayerDifference ids;
     LayerDifference depth;
     LayerDifference colour;
-    std::vector<std::string> things;  ///< "rod: 312 pixels more": what is seen more or less of
-    /// Why colours may differ: what they are drawn with is another. Then the colours do not count.
+    std::vector<std::string> things;  ///< "rod: 312 pixels more": things of which more or less is seen
+    /// Why colours may differ: they are drawn with other software. Then the colours do not count.
     std::string drawn_otherwise;
 
     bool text_fails() const { return !facts.empty() || !loose.empty(); }
@@ -41,11 +41,11 @@ std::string broken_rule(const render::PixelMask& mask, double share, int patch);
 
 Difference difference_of(const Snapshot& before, const Snapshot& now, const SnapshotRules& rules);
 
-/// The number that a step had, if its lesson had another number of steps then. Such a difference is one of
-/// the lesson and none of each of its snapshots.
+/// The number that a step had, if its lesson had another number of steps then. Such a difference belongs to
+/// the lesson, not to each of its snapshots.
 std::optional<StepNumber> other_steps(const Record& before, const Record& now);
 
-/// The rule for colours that is broken; empty if none is. For pictures that are not of a snapshot, too.
+/// The rule for colours that is broken; empty if none is. Also for pictures that do not belong to a snapshot.
 LayerDifference compare_colours(
     const render::Image& before, const render::Image& now, const SnapshotRules::Colour& rules);
 

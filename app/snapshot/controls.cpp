@@ -32,7 +32,7 @@ bool belongs_to_joint(int id, int joint) {
     return of_joint && link.index == joint;
 }
 
-/// Takes everything of a joint out of the picture. @return false if there is nothing of it
+/// Takes everything of a joint out of the picture. @return false if the picture has nothing of it
 bool leave_out(Picture& picture, int joint) {
     const auto is_its = [joint](const auto& part) { return belongs_to_joint(part.id, joint); };
     const std::size_t before = picture.scene.shapes.size() + picture.scene.arrows.size();
@@ -42,7 +42,7 @@ bool leave_out(Picture& picture, int joint) {
     return picture.scene.shapes.size() + picture.scene.arrows.size() < before;
 }
 
-/// Pixels of the parts that are asked for.
+/// Pixels of the selected parts.
 template <class IsIts>
 render::PixelMask pixels_of(const render::PictureLayers& layers, const IsIts& is_its) {
     render::PixelMask mask(layers.width, layers.height);
@@ -50,7 +50,7 @@ render::PixelMask pixels_of(const render::PictureLayers& layers, const IsIts& is
     return mask;
 }
 
-/// True for colours that stay apart in the shade, where a quarter of them is left, by more than `level`.
+/// True for colours that differ by more than `level` even in the shade, where a quarter of them is left.
 bool are_plainly_different(const render::Colour& a, const render::Colour& b) {
     const float apart = std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
     return apart > 4.0F * static_cast<float>(kDefaults.colour.level) / 255.0F;
@@ -162,7 +162,7 @@ private:
         Fact* const number = first_number(loose.record.facts);
         const std::string fault = "a number of the golden file may differ by too much";
         if (number == nullptr) { return skip(fault, "text", kNoNumber); }
-        // the smallest that must be noticed
+        // the smallest change that must be noticed
         number->tolerance *= 2.0 * kMostOfTolerance;
         add(fault, "text", difference_of(loose, right_, rules_).text_fails());
     }
@@ -204,7 +204,7 @@ private:
         return !compare_colours(right_.colour, image, rules_.colour).broken.empty();
     }
 
-    /// In the text the first joint that is drawn, in the picture of things the first that is seen.
+    /// For the text, the first joint that is drawn; for the picture of things, the first that is seen.
     void leave_out_joint() {
         const Mechanism& mechanism = camera_.story().lesson().mechanism;
         const Picture whole = camera_.painter().picture(view_);
@@ -218,7 +218,7 @@ private:
                 add(fault, "text", is_told(whole, picture, mechanism));
             }
             const auto is_its = [joint](int id) { return belongs_to_joint(id, joint); };
-            // its pixels show something else without it, so the default rules notice
+            // without the joint, its pixels show something else, so the default rules notice it
             if (!is_seen(is_its, kDefaults.ids.share, kDefaults.ids.patch)) { continue; }
             Snapshot changed = right_;
             changed.layers = picture_of(camera_.painter().layers(picture), mechanism);

@@ -15,11 +15,11 @@ std::set<Fault> all_faults();
 
 struct ControlResult {
     std::string fault;    ///< "the picture is shifted by one pixel"
-    std::string layer;    ///< that must notice it: "colours", "ids", "text"
+    std::string layer;    ///< the layer that must notice it: "colours", "ids", "text"
     bool noticed = true;  ///< false: the rules are so loose that the suite proves nothing
 };
 
-/// A fault that a snapshot has no room for: even the strictest suite could not notice it there.
+/// A fault that cannot be made in a snapshot: even the strictest suite could not notice it there.
 struct SkippedControl {
     Fault kind = Fault::shift;
     std::string fault;
@@ -32,13 +32,13 @@ struct ControlResults {
     std::vector<SkippedControl> skipped;
 };
 
-/// Makes faults in the snapshot of a shot and compares. Whether a fault can be noticed is asked of the
-/// picture without it and of the default rules, so that neither loose rules nor a renderer that draws the
-/// same again excuse themselves.
+/// Makes faults in the snapshot of a shot and compares. The picture without the fault and the default rules
+/// decide whether a fault can be noticed: loose rules, or a renderer that draws the same picture again, are
+/// no excuse.
 ControlResults control(
     Camera& camera, const Shot& shot, const SnapshotRules& rules, const std::set<Fault>& wanted);
 
-/// The shot that has room for most faults: the last one at which everything is put together.
+/// The shot in which most faults can be made: the last one at which everything is assembled.
 const Shot& shot_for_controls(const Camera& camera);
 
 }  // namespace jw::snapshot

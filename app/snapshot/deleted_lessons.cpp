@@ -71,7 +71,7 @@ void bless_deletion(const std::string& name, const fs::path& golden, const std::
     const fs::path file = golden / kRemoved;
     Json removed = removed_so_far(file);
     const Json entry{{"lesson", name}, {"reason", reason}};
-    // once only, if the removal was cut short before
+    // not twice, if the removal was interrupted before
     if (removed.empty() || removed.back() != entry) { removed.push_back(entry); }
     render::write_file_atomically(
         file,

@@ -16,11 +16,11 @@ namespace jw::snapshot {
 namespace {
 
 constexpr std::size_t kLongestValue = 60;
-constexpr std::size_t kBeforeChange = 20;  // bytes of a long text that are shown in front of its change
+constexpr std::size_t kBeforeChange = 20;  // bytes of a long text that are shown before its change
 
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
-/// Which choice is right: a number, but none that is larger or smaller.
+/// The number of the right choice: a number, but "larger" and "smaller" make no sense for it.
 constexpr std::string_view kChoice = "answer";
 
 /// "crank" of "body.crank.shape.0.rod.radius"; empty for a key of the lesson itself.
@@ -31,7 +31,7 @@ std::string subject_of(const std::string& path) {
     if (second == std::string::npos) { return path.substr(0, first); }
     const std::string name = path.substr(first + 1, second - first - 1);
     const bool is_number = name.find_first_not_of("0123456789") == std::string::npos;
-    // as names of snapshots count: "answer-1" is that of the first question
+    // counted from 1, as names of snapshots are: "answer-1" belongs to the first question
     return is_number ? path.substr(0, first) + " " + std::to_string(std::stoul(name) + 1) : name;
 }
 
@@ -52,7 +52,7 @@ std::vector<double> numbers_in(std::string_view text) {
     return numbers;
 }
 
-/// "1 mm larger", "x 2 mm smaller, z 1 mm larger"; nothing for values that are no numbers.
+/// "1 mm larger", "x 2 mm smaller, z 1 mm larger"; nothing for values that are not numbers.
 std::optional<std::string> in_numbers(
     const UnitsOfKeys& units, const std::string& path, const std::string& before, const std::string& now) {
     const std::vector<double> a = numbers_in(before);
@@ -88,7 +88,7 @@ std::size_t character_at(std::string_view text, std::size_t byte) {
     return std::min(byte, text.size());
 }
 
-/// A piece of a long text, with what matters at this byte in it.
+/// The piece of a long text around this byte.
 std::string piece_of(std::string_view text, std::size_t byte) {
     if (text.size() <= kLongestValue) { return std::string(text); }
     const std::size_t from = character_at(text, byte < kBeforeChange ? 0 : byte - kBeforeChange);
@@ -97,7 +97,7 @@ std::string piece_of(std::string_view text, std::size_t byte) {
            (to < text.size() ? "..." : "");
 }
 
-/// "'before' → 'now'", of long texts the piece where they begin to differ.
+/// "'before' → 'now'"; for long texts, the piece where they begin to differ.
 std::string both_shown(const std::string& before, const std::string& now) {
     const std::string a = shown(before);
     const std::string b = shown(now);
@@ -105,7 +105,7 @@ std::string both_shown(const std::string& before, const std::string& now) {
     return piece_of(a, first) + " → " + piece_of(b, first);
 }
 
-/// "radius of crank"; "force on rod" of the vector of a force, "polynomial of force on rod".
+/// "radius of crank"; "force on rod" for the vector of a force, "polynomial of force on rod".
 std::string what_changed(const std::string& path, const std::string& lesson_before) {
     const std::string key(last_key(path));
     const std::string table(table_of(path));
@@ -116,7 +116,7 @@ std::string what_changed(const std::string& path, const std::string& lesson_befo
     return (key == table ? "" : key + " of ") + table + " on " + body;
 }
 
-/// "joint.A: added", "shape 2 of crank: inserted (body.crank.shape.1)" of an entry without a name.
+/// "joint.A: added"; "shape 2 of crank: inserted (body.crank.shape.1)" for an entry without a name.
 std::string entry_text(const std::string& path, bool is_there_now) {
     const std::string key(last_key(path));
     if (key.find_first_not_of("0123456789") != std::string::npos) {
@@ -129,7 +129,7 @@ std::string entry_text(const std::string& path, bool is_there_now) {
            " (" + path + ")";
 }
 
-/// "order of bodies: frame, leaf → leaf, frame"; entries without a name have their numbers, from 1.
+/// "order of bodies: frame, leaf → leaf, frame"; entries without a name are numbered from 1.
 std::string order_text(const OtherOrder& order) {
     const std::string key(last_key(order.path));
     const std::string subject = order.path == key ? "" : " of " + subject_of(order.path);
@@ -162,7 +162,7 @@ std::string change_text(
 
 std::vector<std::string> lesson_changes(const std::string& before, const std::string& now) {
     const SceneDifference found = jw::difference_of(before, now, SceneParts::all);
-    // the camera matters less than what it looks at
+    // the camera matters less than the things that it shows
     std::vector<std::string> lines;
     std::vector<std::string> of_camera;
     const auto add = [&](const std::string& path, std::string line) {

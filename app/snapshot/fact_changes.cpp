@@ -12,12 +12,12 @@ namespace jw::snapshot {
 
 namespace {
 
-/// Residuals of solved equations, which are rounding: Newton's method goes on to 1e-10 at the least.
+/// Residuals of solved equations are rounding: Newton's method goes on to 1e-10 at least.
 constexpr double kRounding = 1e-9;
 
 struct NumberInText {
     double value = 0.0;
-    double last_digit = 0.0;  ///< one of it; 0 for a whole number
+    double last_digit = 0.0;  ///< the value of one unit in it; 0 for a whole number
     std::size_t length = 0;   ///< bytes; 0: there is no number here
 };
 
@@ -59,11 +59,11 @@ NumberInText number_at(std::string_view text) {
 bool are_same(const NumberInText& a, const NumberInText& b) {
     const double digit = std::max(a.last_digit, b.last_digit);
     if (digit == 0.0) { return a.value == b.value; }
-    // one and a half: the last digits are one apart, and are no binary numbers
+    // one and a half units: the last digits may differ by one, and are not exact binary numbers
     return std::abs(a.value - b.value) <= std::max(1.5 * digit, kRounding);
 }
 
-/// Words that stand in the lesson's file: no machine rounds their numbers.
+/// Texts from the lesson's file: no machine rounds their numbers.
 bool is_of_author(std::string_view name) {
     constexpr std::array names{
         "title of the lesson", "text of the author", "question", "reason of the answer", "source"};
@@ -136,7 +136,7 @@ std::vector<std::string> loose_tolerances(const std::vector<Fact>& before, const
         const auto found = now.find(fact.name);
         if (!fact.value || found == now.end() || !are_same(fact, *found->second)) { continue; }
         const double tolerance = found->second->tolerance;
-        // tolerances are powers of ten, which are no binary numbers
+        // tolerances are powers of ten, which are not exact binary numbers
         if (fact.tolerance <= (1.0 + 1e-9) * kMostOfTolerance * tolerance) { continue; }
         loose.push_back(
             fact.name + ": " + short_number(fact.tolerance) + " " + fact.unit + " may differ, of " +

@@ -9,10 +9,10 @@
 
 namespace jw::snapshot {
 
-/// Gives a number the tolerance of this scale, and rounds it; see `set_tolerances`.
+/// Gives a number the tolerance that belongs to this scale, and rounds it; see `set_tolerances`.
 void set_tolerance(Fact& fact, double scale);
 
-/// Collects facts, each under a name of its own.
+/// Collects facts, each under its own name.
 class FactList {
 public:
     void text(Weight weight, const std::string& name, const std::string& text) {
@@ -29,8 +29,9 @@ public:
         }
         add({weight, name, {}, value, unit, kToBeSet});
     }
-    /// A number of the lesson's file, which is finite: its own scale, as others of its unit do not hide it.
-    /// @param scale  of a part of a vector or tensor: its norm
+    /// A finite number of the lesson's file. It has its own scale, so that larger numbers of its unit do not
+    /// hide it.
+    /// @param scale  for a part of a vector or tensor: its norm
     void given(Weight weight, const std::string& name, double value, const std::string& unit, double scale) {
         Fact fact{weight, name, {}, value, unit, 0.0};
         set_tolerance(fact, scale > 0.0 ? scale : kScaleOfZero);

@@ -14,8 +14,8 @@ namespace jw::snapshot {
 /// How much it matters when a fact changes; reports begin with the first.
 enum class Weight {
     failure,
-    rank,      ///< rank, freedoms, which rows repeat others
-    count,     ///< of equations, iterations, things drawn
+    rank,      ///< rank, freedoms, redundant rows
+    count,     ///< numbers of equations, iterations, things drawn
     pose,      ///< of bodies, and their shapes
     text,      ///< titles, sentences, formulas
     quantity,  ///< measured numbers, forces, energies
@@ -25,11 +25,11 @@ enum class Weight {
 struct Fact {
     Weight weight = Weight::detail;
     std::string name;             ///< "crank · r · x"
-    std::string text;             ///< of a fact that is no number; numbers in it are compared as numbers
+    std::string text;             ///< of a fact that is not a number; numbers in it are compared as numbers
     std::optional<double> value;  ///< of a number
     std::string unit;             ///< as shown, may be empty
-    /// How far a number may be from what it was. The scale of a quantity is the largest value that any number
-    /// of its unit has in the lesson; see `set_tolerances`. Counts must be equal: 0.
+    /// How much a number may change. The scale of a quantity is the largest value that any number of its unit
+    /// has in the lesson; see `set_tolerances`. Counts must be equal: 0.
     double tolerance = 0.0;
 
     bool operator==(const Fact&) const = default;
@@ -39,7 +39,7 @@ struct Fact {
 inline constexpr const char* kStepFact = "step";
 inline constexpr const char* kStepsFact = "steps";
 
-/// Facts about all that a view tells.
+/// Facts about everything that a view tells.
 std::vector<Fact> facts_of(const View& view);
 /// Facts about everything drawn in 3D: bodies with their shapes, vectors, frames, lines, names.
 std::vector<Fact> facts_of(const Picture& picture, const Mechanism& mechanism);
@@ -47,11 +47,11 @@ std::vector<Fact> facts_of(const Picture& picture, const Mechanism& mechanism);
 /// Facts about the lesson itself: its title; masses, gravity, forces, torques and springs if it has dynamics.
 std::vector<Fact> facts_of(const Lesson& lesson);
 
-/// Facts of the camera. Another one changes every pixel, but it is mostly the consequence of something
-/// else, such as a longer body: these facts stand behind all others.
+/// Facts about the camera. Another camera changes every pixel, but is mostly the result of something else,
+/// such as a longer body: these facts stand after all others.
 std::vector<Fact> facts_of(const render::Camera& camera);
 
-/// A number with as many decimals as its tolerance means: "0.25", "-1.732051".
+/// A number with as many decimals as its tolerance justifies: "0.25", "-1.732051".
 std::string short_decimal(const Fact& fact);
 
 /// What the numbers of a lesson are compared with.
@@ -61,10 +61,10 @@ struct NaturalScale {
 };
 
 /// Gives every number of a lesson's snapshots its tolerance and rounds it to a tenth of that, so that a file
-/// of facts does not change by rounding. A number may be off by one millionth of the largest one of its unit
-/// in the lesson: panels show at most six digits, and what libraries of different machines round differently
-/// is smaller by far. Where all of a unit are small, their scale is a thousandth of what is natural, from
-/// length and duration.
+/// of facts does not change by rounding. A number may be off by one millionth of the largest number of its
+/// unit in the lesson: panels show at most six digits, and differences in rounding between libraries of
+/// different machines are much smaller. If all numbers of a unit are small, their scale is a thousandth of
+/// the natural value, which follows from length and duration.
 void set_tolerances(std::vector<std::vector<Fact>*> facts, const NaturalScale& natural);
 
 }  // namespace jw::snapshot

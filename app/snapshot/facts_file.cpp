@@ -102,7 +102,7 @@ std::string text_of(const Record& record) {
                     {"title", record.title},  {"blessed", record.blessed}, {"drawn_with", record.drawn_with},
                     {"things", record.things}};
     std::string text = json_document(head);
-    // the head without its closing brace, then the facts, one a line
+    // the head without its closing brace, then the facts, one per line
     text.erase(text.find_last_of('}'));
     text.erase(text.find_last_not_of('\n') + 1);
     text += ",\n \"facts\": [";

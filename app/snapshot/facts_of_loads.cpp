@@ -43,8 +43,8 @@ void add_function(
     }
 }
 
-/// Adds the facts that forces and torques share. A constant load is a vector with its unit; of others the
-/// direction has length 1, so that a factor means the same wherever it is written.
+/// Adds the facts that forces and torques share. A constant load is a vector with its unit. For other loads,
+/// the direction has length 1, so that a factor means the same wherever it is written.
 template <class Load>
 void add_vector(const Load& load, const std::string& name, const std::string& unit, FactList& facts) {
     facts.text(Weight::pose, name + " · frame", word_of(kFrames, load.frame));
@@ -97,8 +97,8 @@ void add_springs(const Springs& springs, const Mechanism& mechanism, const char*
     }
 }
 
-/// Adds the joints that each rotational spring acts about: two between the same bodies may have axes of their
-/// own.
+/// Adds the joints that each rotational spring acts about: two springs between the same bodies may have
+/// different axes.
 void add_axes(const Loads& loads, const Mechanism& mechanism, FactList& facts) {
     for (std::size_t k = 0; k < loads.rotational_springs.size(); ++k) {
         std::string names;

@@ -10,7 +10,7 @@ namespace jw::snapshot {
 
 namespace {
 
-/// "#d55e00", with two more digits where it lets something through.
+/// "#d55e00", with two more digits if it is transparent.
 std::string colour_text(const render::Colour& colour) {
     const auto byte = [](float part) { return static_cast<unsigned>(std::lround(255.0F * part)) & 0xFFU; };
     std::array<char, 16> text{};
@@ -26,7 +26,7 @@ void add_pose(const render::Pose& pose, const std::string& name, FactList& facts
     facts.vector(Weight::pose, name + " · y axis", pose.A.col(1), "");
 }
 
-/// Adds what a geometry is, and says what it is called.
+/// Adds facts about a geometry, and returns what it is called.
 class GeometryFacts {
 public:
     GeometryFacts(std::string name, FactList& facts) : name_(std::move(name)), facts_(facts) {}
@@ -85,7 +85,7 @@ private:
     void length(const char* what, double value) const {
         facts_.number(Weight::pose, name_ + " · " + what, value, "m");
     }
-    /// A shape that shows how it is turned about its axis.
+    /// Adds a shape that shows how it is turned about its axis.
     void turned(const char* word, const auto& shape) const {
         kind(word);
         ends(shape.from, shape.to);
@@ -100,7 +100,7 @@ private:
     FactList& facts_;
 };
 
-/// Names parts by what they belong to, and counts those of each.
+/// Names parts after what they belong to, and counts those of each name.
 class PartNames {
 public:
     explicit PartNames(const Mechanism& mechanism) : mechanism_(mechanism) {}

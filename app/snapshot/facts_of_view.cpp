@@ -4,7 +4,7 @@ namespace jw::snapshot {
 
 namespace {
 
-constexpr double kNoEntry = 1e-14;  // of Φq: what is left of a zero by rounding, where entries are about 1
+constexpr double kNoEntry = 1e-14;  // of Φq: rounding of a zero, where entries are about 1
 
 void add_texts(const View& view, FactList& facts) {
     if (view.steps > 0) {
@@ -70,7 +70,7 @@ void add_equations(const View& view, FactList& facts) {
     }
 }
 
-/// Entries that are zero are not listed: most are.
+/// Entries that are zero are not listed, as most are zero.
 void add_matrix(const MatrixView& matrix, FactList& facts) {
     for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
         for (std::size_t k = 0; k < matrix.columns.size(); ++k) {
@@ -85,7 +85,7 @@ void add_matrix(const MatrixView& matrix, FactList& facts) {
     }
 }
 
-/// Of the iterations those numbers that are the same on every machine: the last residuals are rounding.
+/// Adds those numbers of the iterations that are the same on every machine: the last residuals are rounding.
 void add_newton(const std::vector<NewtonRow>& rows, FactList& facts) {
     if (!rows.empty()) { facts.count(Weight::count, "iterations", static_cast<int>(rows.size())); }
     for (const NewtonRow& row : rows) {

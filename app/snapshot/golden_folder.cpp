@@ -20,7 +20,7 @@ constexpr const char* kHead = "snapshots.json";
 constexpr const char* kLesson = "lesson.toml";
 constexpr const char* kFolderFormat = "jointwise snapshots";
 constexpr int kFolderVersion = 1;
-// what a file unpacks to is many times larger; records have about 0.05 MB, pictures at most 25 MB of bytes
+// unpacked data are many times larger; records have about 0.05 MB, pictures at most 25 MB
 constexpr std::uintmax_t kLargestText = 1U << 23U;
 constexpr std::uintmax_t kLargestPng = 1U << 26U;
 constexpr int kMostMoments = 1000;
@@ -39,7 +39,7 @@ constexpr const char* kDepth = ".depth.png";
 std::vector<std::uint8_t> bytes_of(const fs::path& path, std::uintmax_t largest) {
     std::error_code error;
     const std::uintmax_t size = fs::file_size(path, error);
-    // before it is opened: opening a pipe would wait for ever
+    // checked before it is opened: opening a pipe would wait for ever
     if (error) { unreadable(path, ": " + error.message()); }
     std::ifstream in(path, std::ios::binary);
     if (!in) { unreadable(path, ""); }
@@ -70,7 +70,7 @@ std::string text_of(const SnapshotSize& size) {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
-/// A picture of this size: another one is not even decoded.
+/// A picture of this size: pictures of other sizes are not even decoded.
 render::Image picture_at(const fs::path& path, const SnapshotSize& size) {
     const std::vector<std::uint8_t> bytes = bytes_of(path, kLargestPng);
     const auto [width, height] = render::size_of_png(bytes, path.string());
@@ -211,7 +211,7 @@ void GoldenFolder::remove(const std::string& name) const {
 void GoldenFolder::remove_lesson(const fs::path& golden) const {
     for (const std::string& name : names()) { remove(name); }
     fs::remove(folder_ / kLesson);
-    // the last: a lesson that is removed in part is found again
+    // last, so that a lesson that is removed only in part is found again
     fs::remove(folder_ / kHead);
     for (fs::path empty = folder_; empty != golden; empty = empty.parent_path()) {
         std::error_code error;

@@ -41,20 +41,20 @@ public:
     /// @throws std::runtime_error naming the file that is missing or damaged, and what to do
     Snapshot read(const std::string& name) const;
 
-    /// Names of the lessons that were recorded below a folder, sorted: the paths of their golden folders from
-    /// there. Links are not followed.
+    /// Names of the lessons that were recorded below a folder, sorted: the paths of their golden folders,
+    /// relative to it. Links are not followed.
     static std::vector<std::string> recorded_below(const std::filesystem::path& golden);
-    /// True for the copies of lessons that golden folders hold: they are no lessons of a suite.
+    /// True for the copies of lessons in golden folders: they are not lessons of a suite.
     static bool is_copy_of_lesson(const std::filesystem::path& file);
 
     void write_head(const GoldenHead& head, const std::string& lesson_text) const;
     void write_lesson(const std::string& lesson_text) const;
-    /// All four files or none, so that a record never stands for the pictures of another. Should the program
-    /// be killed while they take their places: a new record is the last, so that no snapshot is there yet;
-    /// one that replaces another is the first, so that its reason is kept while its pictures still differ.
+    /// Writes all four files or none, so that a record never belongs to other pictures. If the program is
+    /// killed while the files are put in place: a new record comes last, so that there is no snapshot yet; a
+    /// record that replaces another comes first, so that its reason is kept while its pictures still differ.
     void write(const Snapshot& snapshot) const;
     void remove(const std::string& name) const;
-    /// Removes all of the lesson, and folders below `golden` that are empty then. Files of others stay.
+    /// Removes all files of the lesson, and folders below `golden` that are empty then. Other files stay.
     void remove_lesson(const std::filesystem::path& golden) const;
 
 private:

@@ -26,7 +26,7 @@ Rgb colour_from(std::uint32_t hash) {
     return {part(0), part(8), part(16)};
 }
 
-/// Colours of the things of a picture, each its own.
+/// Colours of the things of a picture, all different.
 class Colours {
 public:
     Rgb of(const std::string& name) {

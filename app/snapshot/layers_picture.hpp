@@ -9,15 +9,15 @@
 
 namespace jw::snapshot {
 
-/// The second layer of a snapshot as pictures that can be stored and looked at.
+/// The second layer of a snapshot as pictures that can be stored and viewed.
 struct LayersPicture {
-    render::Image ids;                          ///< each thing in a colour of its own, nothing is white
+    render::Image ids;                          ///< each thing in its own colour; nothing is white
     std::map<std::string, std::string> things;  ///< "#3fa2c4": its name
     /// Depth in the red (high) and green byte of a pixel, see `render::PictureLayers`; blue is 0.
     render::Image depth;
 };
 
-/// A thing has the same colour as long as it has the same name, whatever else is there.
+/// The colour of a thing depends only on its name, not on the other things.
 LayersPicture picture_of(const render::PictureLayers& layers, const Mechanism& mechanism);
 
 /// "#3fa2c4" of a pixel.

@@ -28,7 +28,7 @@ constexpr const char* kStyle =
     "button{font:inherit;padding:.2rem .8rem}details{margin:.5rem 0;background:var(--tint);padding:.4rem "
     ".8rem}";
 
-// slider: where golden and actual picture meet; blinking shows one and the other
+// the slider sets where golden and actual picture meet; "Blink" shows them alternately
 constexpr const char* kScript =
     "for(const box of document.querySelectorAll('.compare')){const top=box.querySelector('.top');"
     "box.querySelector('input').addEventListener('input',e=>top.style.setProperty('--cut',e.target.value+'%')"
@@ -49,7 +49,7 @@ std::string figure_of(const std::vector<std::uint8_t>& png, const std::string& w
            "\"><figcaption>" + xml_text(words) + "</figcaption></figure>";
 }
 
-/// Expected and actual picture on each other, with a slider between them; below, where they differ.
+/// Expected and actual picture on top of each other, with a slider between them; below, the differences.
 std::string comparison_of(const SnapshotResult& result) {
     if (result.golden_png.empty() || result.actual_png.empty()) {
         return "<div class=\"row\">" + figure_of(result.golden_png, "expected") +
@@ -65,7 +65,7 @@ std::string comparison_of(const SnapshotResult& result) {
 }
 
 constexpr std::size_t kFactsAtOnce = 12;
-/// Pictures of so many snapshots of a lesson are in the page: with more it would be too large to be opened.
+/// The page has the pictures of this many snapshots of a lesson: with more it would be too large to open.
 constexpr int kMostPictures = 12;
 
 std::string row_of(const FactChange& change) {

@@ -17,7 +17,7 @@ constexpr std::array kVerdicts{
     EnumWord{Verdict::differs, "different"}, EnumWord{Verdict::is_new, "new"},
     EnumWord{Verdict::gone, "gone"},         EnumWord{Verdict::broken, "broken"}};
 
-// in text; the page has all
+// in the text; the page shows all
 constexpr std::size_t kMostFacts = 8;
 constexpr std::size_t kMostSnapshots = 3;
 
@@ -50,7 +50,7 @@ std::string describe(const SnapshotResult& snapshot) {
     return text;
 }
 
-/// Steps that fail or are gone first, else in the order of the story.
+/// Steps that fail or are gone come first, otherwise the order is that of the story.
 std::vector<std::reference_wrapper<const SnapshotResult>> by_weight(
     const std::vector<SnapshotResult>& snapshots) {
     std::vector<std::reference_wrapper<const SnapshotResult>> sorted(snapshots.begin(), snapshots.end());

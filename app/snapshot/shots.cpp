@@ -72,7 +72,7 @@ std::vector<Shot> all_shots(const Story& story) {
     return shots;
 }
 
-/// Adds the moments at which texts of the author for a time begin to be shown.
+/// Adds the moments at which timed texts of the author begin to be shown.
 void add_told_moments(const Story& story, const std::vector<int>& motion, std::set<int>& chosen) {
     for (const StepTexts::AtTime& told : story.lesson().step_texts.times) {
         const auto first = std::ranges::find_if(
@@ -81,8 +81,8 @@ void add_told_moments(const Story& story, const std::vector<int>& motion, std::s
     }
 }
 
-/// Steps of the motion at equal distances, the first and the last among them, and those that the author
-/// tells something at.
+/// Steps of the motion at equal distances, including the first and the last, and the steps at which the
+/// author tells something.
 std::set<int> moments_of(const Story& story, int moments) {
     std::vector<int> motion;
     for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {

@@ -7,7 +7,7 @@
 
 namespace jw::snapshot {
 
-/// Moments of the motion of which snapshots are taken if nothing else is said.
+/// Number of moments of the motion in snapshots, if nothing else is said.
 inline constexpr int kMoments = 3;
 
 /// A step of a story of which a snapshot is taken.
@@ -16,26 +16,26 @@ struct Shot {
     int step = 0;
 };
 
-/// What happens to chosen names that no step has: a slip where they are recorded, a difference later.
+/// Treatment of chosen names that no step has: an error when recording, a difference later.
 enum class UnknownShots { refused, left_out };
 
-/// Which steps of a lesson are taken.
+/// Selects the steps of a lesson that are taken.
 struct ShotChoice {
-    int moments = kMoments;         ///< of the motion; 0: none, whatever the author tells there
-    std::vector<std::string> only;  ///< names of shots in place of all that; empty: as `shots_of` says
+    int moments = kMoments;         ///< of the motion; 0: none, even if the author tells something there
+    std::vector<std::string> only;  ///< names of the only shots taken; empty: as `shots_of` says
 
     bool operator==(const ShotChoice&) const = default;
 };
 
-/// Without a choice by name: every step at which somebody stops to read. That is the bodies, the equations of
-/// each joint and driver and the mechanism when they hold, answers, what failed, and `moments` of the motion
-/// at equal distances, its beginning and end among them, and those at which a text of the author for a time
-/// begins to be shown. Iterations and questions are told by the step after
-/// them; they and every other moment can be chosen by name.
+/// Without a choice by name: every step at which a reader stops. These are the bodies, the equations of each
+/// joint and driver, the mechanism when they hold, answers, failures, and `moments` of the motion at equal
+/// distances, including its beginning and end, and those at which a timed text of the author begins to be
+/// shown. The step after iterations and questions tells about them; they and every other moment can be chosen
+/// by name.
 ///
-/// A name says what is shown and not which step it is, so that it stays the same when a joint is added
-/// elsewhere. It has letters, digits, '-', '_' and '.' only; other bytes as %C3.
-/// @throws std::runtime_error for a chosen name that no step has, with one that was meant, if that is refused
+/// A name says what is shown, not which step it is, so that it stays the same when a joint is added
+/// elsewhere. It has only letters, digits, '-', '_' and '.'; other bytes become %C3.
+/// @throws std::runtime_error for a chosen name that no step has, with a similar one, if that is refused
 std::vector<Shot> shots_of(const Story& story, const ShotChoice& choice, UnknownShots unknown);
 
 }  // namespace jw::snapshot

@@ -50,7 +50,7 @@ void keep_pictures(const Snapshot* golden, const Snapshot* actual, SnapshotResul
     if (layer.width > 0) { result.marked_ids_png = render::encode_png(layer); }
 }
 
-/// What is seen now against what was seen.
+/// Compares the present snapshot with the golden one.
 SnapshotResult compared(
     const GoldenFolder& folder, Camera& camera, const Shot& shot, Snapshot actual,
     const SnapshotRules& rules) {
@@ -66,7 +66,7 @@ SnapshotResult compared(
     }
     try {
         const Snapshot golden = folder.read(result.name);
-        // all but the number of the step is to look the same
+        // everything except the number of the step must look the same
         if (const auto number = other_steps(golden.record, actual.record)) {
             actual.colour = camera.colour_as(shot, *number);
         }
@@ -88,8 +88,7 @@ std::vector<std::string> gone_from(const GoldenFolder& folder, const Camera& cam
     return left;
 }
 
-/// A step at which the mechanism fails from now on, or that is gone: "'pivot' is gone"; empty if there is
-/// none.
+/// A step at which the mechanism now fails, or that is gone: "'pivot' is gone"; empty if there is none.
 std::string lost_step(const std::vector<SnapshotResult>& snapshots) {
     for (const SnapshotResult& s : snapshots) {
         const bool fails_now =
@@ -102,7 +101,7 @@ std::string lost_step(const std::vector<SnapshotResult>& snapshots) {
     return gone == snapshots.end() ? "" : "the lesson has no step '" + gone->name + "' any more";
 }
 
-/// "step A: rank 5 → 4" of the first snapshot in which something is said otherwise.
+/// "step A: rank 5 → 4" of the first snapshot with a changed fact.
 std::string first_fact(const std::vector<SnapshotResult>& snapshots) {
     const auto weight = [](const SnapshotResult& s) { return s.difference.facts.front().weight; };
     const SnapshotResult* first = nullptr;
@@ -119,7 +118,7 @@ std::string first_fact(const std::vector<SnapshotResult>& snapshots) {
            " is another: " + values;
 }
 
-/// Why snapshots differ if neither lesson nor facts do.
+/// Why snapshots differ if neither the lesson nor the facts do.
 std::string differing_otherwise(const std::vector<SnapshotResult>& snapshots) {
     const auto has = [&](Verdict verdict) {
         return std::ranges::find(snapshots, verdict, &SnapshotResult::verdict) != snapshots.end();
@@ -149,7 +148,7 @@ std::vector<SuiteLesson> suite_of(const std::vector<std::string>& paths, EmptyFo
             throw std::runtime_error(
                 "'" + path + "': there is no lesson below this folder; expected files *.toml");
         }
-        // without following links: a lesson that is one keeps its name here
+        // links are not followed: a lesson that is a link keeps its name here
         for (const fs::path& file : files) { add(suite, file, file.lexically_relative(path)); }
     }
     return suite;
@@ -285,7 +284,7 @@ std::vector<std::string> bless(
             if (folder.has(shot.name)) { actual.record.blessed = folder.read(shot.name).record.blessed; }
         } catch (const std::runtime_error&) {  // what cannot be read is replaced
         }
-        // once only, if blessing was cut short before
+        // not twice, if blessing was interrupted before
         std::vector<std::string>& reasons = actual.record.blessed;
         if (reasons.empty() || reasons.back() != reason) { reasons.push_back(reason); }
         folder.write(actual);

@@ -10,7 +10,7 @@
 #include "app/snapshot/layers_picture.hpp"
 #include "app/snapshot/shots.hpp"
 
-/// Taking the snapshots of a lesson.
+/// Takes the snapshots of a lesson.
 namespace jw::snapshot {
 
 /// The three layers of one snapshot.
@@ -29,7 +29,7 @@ struct SnapshotSize {
 inline constexpr SnapshotSize kSmallestSize{960, 540};
 inline constexpr SnapshotSize kLargestSize{3840, 2160};
 
-/// A lesson of which snapshots are taken, one after the other.
+/// A lesson whose snapshots are taken, one after the other.
 class Camera {
 public:
     /// @throws std::runtime_error if OSMesa or a font is missing, or for unknown shots
@@ -39,10 +39,10 @@ public:
     const std::vector<Shot>& shots() const { return shots_; }
     /// The snapshot of a shot, with tolerances that all snapshots of the lesson share.
     Snapshot take(const Shot& shot);
-    /// Its colours if the step had another number.
+    /// The colours of its snapshot if the step had another number.
     render::Image colour_as(const Shot& shot, const StepNumber& number);
 
-    /// For those who change what is drawn.
+    /// For callers that change what is drawn.
     host::FramePainter& painter() { return painter_; }
     View view(const Shot& shot) const { return view_of(story_, shot.step); }
 

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kRelative = 1e-6;
 constexpr double kLeastOfNatural = 1e-3;
-/// Scale of units that have no natural one, such as forces where all are zero.
+/// Scale of units without a natural one, such as forces if all are zero.
 constexpr double kLeast = 1e-6;
 
-/// Values that lengths, angles and their rates have in a mechanism that does something.
+/// Typical values of lengths, angles and their rates in a mechanism that moves.
 std::map<std::string, double> natural_scales(const NaturalScale& natural) {
     const double rate = 1.0 / natural.duration;
     return {
@@ -36,13 +36,13 @@ std::map<std::string, double> natural_scales(const NaturalScale& natural) {
         {"of ‖Δq‖", natural.length}};
 }
 
-/// Decimals that a number of this tolerance is written with: one more than matters.
+/// Decimals with which a number of this tolerance is written: one more than matters.
 int decimals_of(double tolerance) { return 1 - static_cast<int>(std::lround(std::log10(tolerance))); }
 
 }  // namespace
 
 void set_tolerance(Fact& fact, double scale) {
-    // a power of ten: the same scale again if the largest value is another in the last digits
+    // a power of ten, so that the scale stays the same if the largest value changes in its last digits
     fact.tolerance = std::pow(10.0, std::floor(std::log10(kRelative * scale)));
     const double step = 0.1 * fact.tolerance;
     fact.value = std::round(*fact.value / step) * step;

@@ -12,7 +12,7 @@ namespace jw::snapshot {
 
 namespace {
 
-/// Values of a function of time, in the unit of what it is a function of.
+/// Values of a function of time, in the unit of the function.
 constexpr std::array<std::string_view, 4> kValues{"polynomial", "amplitude", "from", "to"};
 
 }  // namespace
@@ -26,7 +26,7 @@ std::string UnitsOfKeys::unit_of_load(const std::string& path, std::size_t index
     const std::string unit = table == "force" ? "N" : "N m";
     const std::string_view key = last_key(path);
     if (std::ranges::find(kValues, key) == kValues.end()) { return {}; }
-    // beside a vector in N a function is a factor
+    // beside a vector in N, a function is only a factor
     const bool is_factor = value_in(lesson_, entry_of(path) + ".direction").empty();
     return is_factor ? std::string() : unit_of_coefficient(unit, key == "polynomial" ? index : 0);
 }

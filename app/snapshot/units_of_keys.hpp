@@ -17,17 +17,18 @@ inline std::string entry_of(const std::string& path) {
     return first == std::string::npos ? path : path.substr(0, path.find('.', first + 1));
 }
 
-/// Unit of the coefficient of t^power in a function of time of that unit: "N", "N/s", "N/s^2".
+/// Unit of the coefficient of t^power in a function of time with this unit: "N", "N/s", "N/s^2".
 std::string unit_of_coefficient(const std::string& unit, std::size_t power);
 
-/// Units of the numbers that a lesson file states.
+/// Units of the numbers in a lesson file.
 class UnitsOfKeys {
 public:
     /// @param lesson  text of the file, must outlive this: a function of time is a force or a factor of one,
-    /// which other keys of its table decide
+    /// and other keys of its table decide which
     explicit UnitsOfKeys(const std::string& lesson) : lesson_(lesson) {}
 
-    /// An amount of a number with its unit: "1 mm", "0.2 m", "5 deg", "1 N"; without one if it is not known.
+    /// The difference of a number with its unit: "1 mm", "0.2 m", "5 deg", "1 N"; without a unit if it is not
+    /// known.
     /// @param path   of the key, as `difference_of` names it
     /// @param index  of the number in its list, 0 for a single one
     std::string amount(const std::string& path, std::size_t index, double amount) const;

@@ -19,19 +19,19 @@ struct BenchJob::Running {
 
 namespace {
 
-/// Results of a job, as far as they have come.
+/// Results of a job so far.
 struct Measured {
     BenchJob::News news;
     std::uint64_t version = 0;
 };
 
-/// Results of the jobs that somebody waits for, by their numbers.
+/// Results of the jobs that are waited for, by their numbers.
 std::map<int, Measured>& results() {
     static std::map<int, Measured> all;
     return all;
 }
 
-/// A run as far as prices are made of it.
+/// The data of a run from which prices are computed.
 Json json_of_run(const BenchRun& run) {
     Json points = Json::array();
     for (const BenchPoint& point : run.points) {
@@ -108,7 +108,7 @@ EMSCRIPTEN_KEEPALIVE void jw_measured(int number, const char* news) {
     if (found->second.news.done) { jw::web::end_measuring(number); }
 }
 
-/// Measures a lesson here and now, and tells the page around.
+/// Measures a lesson in this copy of the program, and reports to the page around it.
 EMSCRIPTEN_KEEPALIVE void jw_measure(const char* lesson, const char* treatment) {
     const jw::ReadResult read = jw::read_lesson(lesson, "measured.toml");
     const auto tell = [](const jw::BenchJob::News& news) { jw::web::tell_measured(jw::text_of_news(news)); };

@@ -2,7 +2,7 @@
 
 #include <emscripten/em_js.h>
 
-// `Module.page` are the functions that page.js gives when it loads the program
+// `Module.page` has the functions that page.js provides when it loads the program
 
 // clang-format off
 EM_JS(void, jw_download, (const char* path), { Module.page.download(UTF8ToString(path)); })

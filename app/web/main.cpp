@@ -13,16 +13,16 @@
 #include "app/web/page.hpp"
 #include "app/web/words.hpp"
 
-/// The functions that page.js calls. None throws: what goes wrong is a text.
+/// The functions that page.js calls. None of them throws: errors are returned as text.
 namespace {
 
 using jw::host::InputEvent;
 
-// [s] for what is computed beside a picture
+// time for background work in each turn of the loop [s]
 constexpr double kBeside = 0.016;
 
 std::unique_ptr<jw::web::Page> page;
-/// Answer of the function called last: valid until the next one.
+/// Result of the last function call; valid until the next one.
 std::string answer;
 
 const char* answered(std::string text) {
@@ -50,14 +50,14 @@ std::vector<std::string> lines_of(const char* text) {
 
 extern "C" {
 
-/// @param density  pixels of the canvas for one of the page
+/// @param density  pixels of the canvas per pixel of the page
 /// @param lessons  folder of the course
 /// @return why the page cannot begin; empty if it does
 EMSCRIPTEN_KEEPALIVE const char* jw_begin(
     const char* canvas, int width, int height, double density, double text_scale, int dark,
     const char* language, const char* lessons) {
     return problem_of([&] {
-        // the catalogue of the program (lessons/catalogue.hpp)
+        // folder of the program's catalogue (lessons/catalogue.hpp)
         ::setenv("JOINTWISE_LESSONS", lessons, 1);
         page = std::make_unique<jw::web::Page>(jw::web::PageSetup{
             canvas, width, height, static_cast<float>(density), static_cast<float>(text_scale), dark != 0,
@@ -65,7 +65,7 @@ EMSCRIPTEN_KEEPALIVE const char* jw_begin(
     });
 }
 
-/// One turn of the page's loop: as Page::frame, and what is computed beside it.
+/// One turn of the page's loop: Page::frame, and background work.
 EMSCRIPTEN_KEEPALIVE double jw_frame(double seconds) {
     try {
         const double due = page->frame(seconds);
@@ -93,7 +93,7 @@ EMSCRIPTEN_KEEPALIVE void jw_button(int number, int down) {
 EMSCRIPTEN_KEEPALIVE void jw_wheel(double notches) {
     page->host().push(InputEvent::wheel(static_cast<float>(notches)));
 }
-/// @return 1 if the program has a use for this key
+/// @return 1 if the program uses this key
 EMSCRIPTEN_KEEPALIVE int jw_key(const char* name, int down) {
     const jw::host::Key key = jw::web::key_of(name);
     if (key != jw::host::Key::none) { page->host().push(InputEvent::pressed(key, down != 0)); }
@@ -103,7 +103,7 @@ EMSCRIPTEN_KEEPALIVE void jw_text(unsigned character) { page->host().push(InputE
 EMSCRIPTEN_KEEPALIVE void jw_set_clipboard(const char* text) { page->set_clipboard(text); }
 EMSCRIPTEN_KEEPALIVE void jw_leave() { page->host().push(InputEvent::leave()); }
 
-/// Opens a lesson file. @param experiments  one a line @return 0 if it has mistakes, which are shown
+/// Opens a lesson file. @param experiments  one per line @return 0 if it has mistakes, which are shown
 EMSCRIPTEN_KEEPALIVE int jw_open(const char* path, const char* at, const char* experiments) {
     try {
         return page->host().open(path, at, lines_of(experiments)) ? 1 : 0;
@@ -113,7 +113,7 @@ EMSCRIPTEN_KEEPALIVE int jw_open(const char* path, const char* at, const char* e
     }
 }
 
-/// State of the page as JSON; "{}" if it cannot be told, which the console of the browser is told.
+/// State of the page as JSON; "{}" after an error, which is written to the console of the browser.
 EMSCRIPTEN_KEEPALIVE const char* jw_state() {
     try {
         return answered(page->state());
@@ -122,11 +122,11 @@ EMSCRIPTEN_KEEPALIVE const char* jw_state() {
         return answered("{}");
     }
 }
-/// @return 1 if the 3D picture, and no panel, is at a pixel of the canvas
+/// @return 1 if a pixel of the canvas belongs to the 3D picture, and not to a panel
 EMSCRIPTEN_KEEPALIVE int jw_is_scene(double x, double y) {
     return page->host().layout().scene.contains(x, y) ? 1 : 0;
 }
-/// Pixel of the canvas where somebody types, "120 300"; empty if nobody does.
+/// Pixel of the canvas where text is being typed, "120 300"; empty if no field has the keyboard.
 EMSCRIPTEN_KEEPALIVE const char* jw_typing_place() { return answered(page->typing_place()); }
 EMSCRIPTEN_KEEPALIVE const char* jw_words() { return answered(jw::web::words_of_page()); }
 EMSCRIPTEN_KEEPALIVE const char* jw_address() { return answered(page->address()); }
@@ -134,13 +134,13 @@ EMSCRIPTEN_KEEPALIVE const char* jw_address() { return answered(page->address())
 EMSCRIPTEN_KEEPALIVE const char* jw_go_to_address(const char* address) {
     return problem_of([address] { page->go_to(address); });
 }
-/// The open lesson as text, with what was tried; as its author wrote it if nothing was.
+/// The open lesson as text, with the experiments; as its author wrote it if there are none.
 EMSCRIPTEN_KEEPALIVE const char* jw_lesson_source() { return answered(page->lesson_source()); }
 /// Mistakes of a text as JSON: a list of line, column, severity and message.
 EMSCRIPTEN_KEEPALIVE const char* jw_check(const char* text, const char* name) {
     return answered(jw::web::mistakes_of(text, name));
 }
-/// Shows a lesson file that was written a moment ago: at the same step, if it is open.
+/// Shows a lesson file that has just been written; at the same step, if it is open.
 EMSCRIPTEN_KEEPALIVE void jw_follow(const char* path) { page->follow(path); }
 EMSCRIPTEN_KEEPALIVE void jw_keep_unsaved() { page->host().keep_unsaved(); }
 

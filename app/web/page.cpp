@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kDownloads = "/downloads";  // what is put here is given to the person
-const fs::path kKept = "/kept";            // what outlives a visit: page.js keeps this folder
+const fs::path kDownloads = "/downloads";  // files here are offered as downloads
+const fs::path kKept = "/kept";            // files that outlive a visit: page.js keeps this folder
 
 host::HostSetup host_setup(const PageSetup& setup) {
     set_language(setup.language);
@@ -38,7 +38,7 @@ host::HostSetup host_setup(const PageSetup& setup) {
     wanted.progress = kKept / "progress.json";
     wanted.programs = kDownloads;
     wanted.has_disk = false;
-    // their keys are the browser's
+    // the browser uses their keys itself
     wanted.not_offered = {host::Command::next_tab, host::Command::reload, host::Command::quit};
     wanted.dark = setup.dark;
     wanted.text_scale = setup.text_scale;
@@ -59,7 +59,7 @@ void use_clipboard() {
     io.GetClipboardTextFn = [](void*) { return clipboard.c_str(); };
 }
 
-/// Pixel of the canvas where the letter that is typed next will stand.
+/// Pixel of the canvas where the letter that is typed next will appear.
 std::array<int, 2> next_letter{};
 
 }  // namespace
@@ -76,7 +76,7 @@ double Page::frame(double seconds) {
     const bool is_lost = !screen_ && !canvas_.empty();
     if (is_lost) { return std::numeric_limits<double>::infinity(); }
     host_.look_at_file();
-    // turns come sooner where work waits between two pictures
+    // with background work, turns come more often than pictures
     since_frame_ += seconds;
     if (since_frame_ >= host_.seconds_to_change()) {
         host_.frame(std::exchange(since_frame_, 0.0));
@@ -112,7 +112,7 @@ std::string Page::lesson_source() const {
 }
 
 void Page::follow(const fs::path& file) {
-    // one that is open is looked at before every picture
+    // an open file is checked before every picture
     if (file == host_.lesson_path() && host_.shows_lesson()) { return host_.rouse(); }
     const std::string at =
         host_.shows_lesson() ? std::to_string(host_.session()->index() + 1) : std::string();

@@ -9,12 +9,12 @@
 #include "app/host/host.hpp"
 #include "render/headless_context.hpp"
 
-/// The interface in a page: the host, a canvas, and files that live in the memory of the page.
+/// The interface in a web page: the host, a canvas, and files in the memory of the page.
 namespace jw::web {
 
 struct PageSetup {
     std::string canvas =
-        "#canvas";     ///< CSS selector; empty: nothing is drawn, and the state tells what there is
+        "#canvas";     ///< CSS selector; empty: nothing is drawn, and only the state is available
     int width = 1280;  ///< pixels of the canvas
     int height = 720;
     float density = 1.0F;  ///< see panels::Looking
@@ -25,7 +25,7 @@ struct PageSetup {
 
 class Page {
 public:
-    /// @throws std::runtime_error if the browser shows no WebGL 2, or a font is missing
+    /// @throws std::runtime_error if the browser has no WebGL 2, or if a font is missing
     explicit Page(const PageSetup& setup);
     ~Page();
     Page(const Page&) = delete;
@@ -37,25 +37,25 @@ public:
     /// @param seconds  since the last picture
     /// @return seconds until another one is due without an event; 0: at once, infinity: never
     double frame(double seconds);
-    /// The browser took everything on the graphics card away, or gives it back.
+    /// Call when the browser has taken away the graphics context, and when it gives it back.
     void lose_context();
     void restore_context();
 
-    /// Address of what is shown, the part behind '#' (app/host/lesson/address.hpp).
+    /// Address of the shown state, the part after '#' (app/host/lesson/address.hpp).
     std::string address() const;
-    /// Shows what an address says; one that leads nowhere is told as mistakes are. @throws as read_address
+    /// Shows the state that an address describes. If that fails, the reason is shown like mistakes of a file.
+    /// @throws as read_address
     void go_to(const std::string& address);
 
-    /// Text of the open lesson as it stands, with what was tried; its file where nothing was; empty without a
-    /// lesson.
+    /// Text of the open lesson with the experiments; its file if there are none; empty without a lesson.
     std::string lesson_source() const;
-    /// Shows a file that was written a moment ago, at the step that is shown.
+    /// Shows a file that has just been written, at the step that is shown.
     void follow(const std::filesystem::path& file);
     /// State of the interface (app/host/host_state.hpp).
     std::string state() const;
-    /// Text that Ctrl+V puts in from now on: of what other programs copy, pages hear only when it is pasted.
+    /// Sets the text that Ctrl+V inserts. A page learns what other programs copy only when it is pasted.
     void set_clipboard(const std::string& text);
-    /// Pixel of the canvas where somebody types, "120 300"; empty if nobody does.
+    /// Pixel of the canvas where text is being typed, "120 300"; empty if no field has the keyboard.
     std::string typing_place() const;
 
 private:

@@ -6,7 +6,7 @@
 
 #include <emscripten/html5_webgl.h>
 
-// the functions that WebGL has been given the names of, as the table of pointers has them
+// declares the functions of WebGL with the types in the table of function pointers
 #define JW_DECLARE(type, name) extern "C" std::remove_pointer_t<type> gl##name;
 JW_GL_FUNCTIONS(JW_DECLARE)
 #undef JW_DECLARE
@@ -29,7 +29,7 @@ public:
     explicit WebGlContext(const char* canvas) {
         EmscriptenWebGLContextAttributes wanted;
         emscripten_webgl_init_context_attributes(&wanted);
-        // the picture is made in framebuffers of its own, and copied into that of the canvas
+        // the picture is drawn into other framebuffers, and copied into that of the canvas
         wanted.alpha = wanted.depth = wanted.stencil = wanted.antialias = false;
         wanted.majorVersion = 2;
         handle_ = emscripten_webgl_create_context(canvas, &wanted);

@@ -4,8 +4,8 @@
 
 namespace jw::web {
 
-/// Words of the page around the picture, which its files have in English, in the present language: JSON with
-/// the English ones as keys.
+/// Words of the page around the picture, in the current language: JSON with the English words, which are in
+/// the files of the page, as keys.
 std::string words_of_page();
 
 }  // namespace jw::web

@@ -7,7 +7,7 @@
 
 #include "core/eigen/kernels.hpp"
 
-/// Eigen's decompositions of matrices of any size, compiled once as its kernels are. Sources include this
+/// Eigen's decompositions of matrices of any size, compiled once, like its kernels. Sources include this
 /// header instead of <Eigen/QR> and the like.
 namespace Eigen {
 
@@ -37,11 +37,11 @@ JW_EIGEN_DECOMPOSITIONS(JW_CLASS_ELSEWHERE, JW_FUNCTION_ELSEWHERE)
 
 namespace jw {
 
-/// Products with Q of A = Q R: Eigen writes them in its classes, where a compiler has to read them in each
-/// source. Q applied to `m` in place; `Q` is householderQ() of a decomposition.
+/// Multiplies `m` by Q in place, for Q = householderQ() of a decomposition A = Q R. Eigen defines such
+/// products in its classes, where a compiler has to read them for each source.
 void multiply_by_q(const Eigen::HouseholderSequence<Eigen::MatrixXd, Eigen::VectorXd>& Q, Eigen::MatrixXd& m);
-/// The first columns of Q, as many as `A` has: an orthonormal basis of what its columns span if their rank is
-/// full.
+/// The first columns of Q, as many as `A` has: an orthonormal basis of the columns of `A` if they have full
+/// rank.
 Eigen::MatrixXd orthonormal_columns(const Eigen::MatrixXd& A);
 /// Inverse and determinant of a square matrix, by its LU decomposition.
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& m);

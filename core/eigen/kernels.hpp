@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-/// Eigen's products of matrices of any size and its triangular solver: compiled once (kernels.cpp) and not in
-/// each source that multiplies. Instructions and numbers are the same. A kernel that is not listed is
+/// Eigen's products of matrices of any size and its triangular solver: compiled once (kernels.cpp), not in
+/// each source that multiplies. Instructions and results are the same. A kernel that is not listed is
 /// compiled where it is used, as usual.
 namespace Eigen::internal {
 

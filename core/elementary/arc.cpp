@@ -12,7 +12,7 @@ namespace {
 /// Steps of the table in 1: atan q = atan a + atan d, d = (q - a) / (1 + q a), with d of at most 2^-9, so
 /// that roundings of d are far below the last place of the sum.
 constexpr int kArcSteps = 256;
-/// The first entry in use: below it atan q is q and a small rest by the power series.
+/// The first entry that is used: below it, atan q is q and a small rest by the power series.
 constexpr double kSmallTangent = 0.125;
 
 /// atan of at most 2^-8, by its power series
@@ -24,7 +24,7 @@ constexpr Pair small_arc(const Pair& x) {
     return arc;
 }
 
-/// atan of k / kArcSteps: each differs from the one before by the arc of a small tangent
+/// atan of k / kArcSteps: each differs from the previous one by the arc of a small tangent
 constexpr auto kArcs = [] {
     std::array<Pair, kArcSteps + 1> table{};
     for (int k = 0; k < kArcSteps; ++k) {
@@ -89,10 +89,10 @@ Pair first_quarter(double y, double x) {
     return quarter_turn(y, x, 0.0);
 }
 
-/// Ratios whose arc is the ratio itself, or differs from a quarter turn by it.
+/// Below this ratio, the arc is the ratio itself, or differs from a quarter turn by the ratio.
 constexpr double kTiny = 0x1p-60;
 
-/// Angle in the first quarter, of positive numbers, one of which may be infinite, or one 0.
+/// Angle in the first quarter, for positive numbers; one of them may be infinite, or one may be 0.
 Pair angle_of(double y, double x) {
     if (y == x) { return {0.5 * kHalfPi.high, 0.5 * kHalfPi.low}; }
     if (y < kTiny * x) { return {y / x, 0.0}; }

@@ -120,7 +120,7 @@ Pair logarithm(double x) {
     return sum_of_ordered(with_square.high, with_square.low + (begin.low + low));
 }
 
-/// The logarithm of 0, of negative numbers, of infinity and of no number.
+/// The logarithm of 0, of negative numbers, of infinity and of NaN.
 double unusual_logarithm(double x) {
     if (x == 0.0) { return -kInfinity; }
     return x > 0.0 ? kInfinity : kNotANumber;
@@ -131,7 +131,7 @@ bool is_usual(double x) { return x > 0.0 && x < kInfinity; }
 bool is_integer(double y) { return y == std::floor(y); }
 bool is_odd(double y) { return std::abs(y) < 0x1p53 && is_integer(y) && std::fmod(y, 2.0) != 0.0; }
 
-/// x^y where one of them is 0, 1, infinite or no number; annex F.10.4.4 of the C standard
+/// x^y where one of them is 0, 1, infinite or NaN; annex F.10.4.4 of the C standard
 double unusual_power(double x, double y) {
     if (y == 0.0 || x == 1.0) { return 1.0; }
     if (std::isnan(x) || std::isnan(y)) { return kNotANumber; }
@@ -171,7 +171,7 @@ double pow(double x, double y) {
     if (x < 0.0 && !is_integer(y)) { return kNotANumber; }
     const double sign = x < 0.0 && is_odd(y) ? -1.0 : 1.0;
     const Pair log = logarithm(size);
-    if (log.high == 0.0) { return sign; }  // of -1
+    if (log.high == 0.0) { return sign; }  // x is -1
     const double exponent = y * log.high;
     if (std::abs(exponent) > 1000.0) { return exponent > 0.0 ? sign * kInfinity : sign * 0.0; }
     Pair power = product(y, log.high);

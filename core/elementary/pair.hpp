@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-/// Numbers of twice the digits: sums of two doubles (Dekker, Knuth). With them a function is computed to some
-/// 70 bits and rounded once, and its tables are computed while compiling.
+/// Numbers with twice the digits: sums of two doubles (Dekker, Knuth). With them, a function is computed to
+/// some 70 bits and rounded once, and its tables are computed at compile time.
 namespace jw::elementary {
 
 /// high + low; normalized: low is at most half a unit in the last place of high.
@@ -64,8 +64,8 @@ inline Pair square_root(const Pair& a) {
     return sum_of_ordered(root, (((a.high - square.high) - square.low) + a.low) / (2.0 * root));
 }
 
-/// a, rounded once to the last place that `power`, a power of two above |a|, has: how numbers lose digits
-/// that become so small that no double has them.
+/// a, rounded once to the last place of `power`, a power of two above |a|: in this way, very small numbers
+/// lose the digits that a double cannot hold.
 constexpr double rounded_below(const Pair& a, double power) {
     const Pair s = sum_of_ordered(power, a.high);
     return (s.high + (s.low + a.low)) - power;

@@ -64,7 +64,7 @@ void negate(Words& words) {
 Pair fraction_of(const Words& words) {
     std::size_t first = 0;
     while (first + 4 < words.size() && words[first] == 0) { ++first; }
-    // 32 bits each are exact, and so are the sums of what is left
+    // words of 32 bits are exact, and so are the sums of the rest
     Pair value;
     double weight = std::ldexp(1.0, -32 * static_cast<int>(first + 1));
     for (std::size_t k = first; k < words.size(); ++k, weight *= 0x1p-32) {
@@ -75,9 +75,9 @@ Pair fraction_of(const Words& words) {
 
 }  // namespace
 
-// By Payne and Hanek: bits of 2/π so large that the product with the angle's last bit is a multiple of four
-// quarter turns are left out. The product with the 224 that follow is cut off 2^-169 quarter turns after the
-// point, and no double is nearer than 2^-62 to a quarter turn.
+// By Payne and Hanek: the leading bits of 2/π, whose product with the angle's last bit is a multiple of four
+// quarter turns, are left out. The product with the next 224 bits is truncated at 2^-169 quarter turns, and
+// no double is nearer than 2^-62 to a quarter turn.
 Remainder exact_remainder(double angle) {
     const auto bits = std::bit_cast<std::uint64_t>(std::abs(angle));
     const int exponent = static_cast<int>(bits >> 52U) - 1075;

@@ -6,7 +6,7 @@
 
 #include "core/elementary/pair.hpp"
 
-/// Angles without their quarter turns: what sine, cosine and tangent begin with.
+/// Angles without their quarter turns: the first step of sine, cosine and tangent.
 namespace jw::elementary {
 
 // 2/π, and π/2 in three parts, the first two of 33 bits (Cody and Waite): products with up to 20 bits of
@@ -17,10 +17,10 @@ constexpr double kQuarterNext = 6.07710050630396597660e-11;
 constexpr double kQuarterLast = 2.02226624879595063154e-21;
 /// 2^20 quarter turns [rad]
 constexpr double kFar = 1.6e6;
-/// Three parts of π/2 leave 2^-122 of it out, a million times: too much of a remainder smaller than this.
+/// Three parts of π/2 omit 2^-122 of it, and that a million times: too much for a remainder below this.
 constexpr double kNear = 0x1p-28;
 
-/// An angle as quarter turns and what is left of it, at most π/4 and a little.
+/// An angle as quarter turns and a remainder of at most π/4 and a little.
 struct Remainder {
     Pair angle;        ///< [rad], with a relative error below 2^-70
     int quarters = 0;  ///< modulo 4

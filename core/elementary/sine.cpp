@@ -16,7 +16,7 @@ constexpr int kSineSteps = 128;
 /// Number of the table's entries, from 0 to π/4 and a little.
 constexpr int kLastSine = 102;
 
-/// sin, cos and -sin of an angle: each is the derivative of the one before.
+/// sin, cos and -sin of an angle: each is the derivative of the previous one.
 using Sines = std::array<Pair, 3>;
 
 /// By their power series.
@@ -33,8 +33,8 @@ constexpr Sines sines_at(double angle) {
     return {sine, cosine, -sine};
 }
 
-/// Those of k / kSineSteps for k from -kLastSine to kLastSine: signs need no branches, which would be guessed
-/// wrong half of the time.
+/// Sines of k / kSineSteps for k from -kLastSine to kLastSine: no branches are needed for signs, which would
+/// be mispredicted half of the time.
 constexpr auto kSines = [] {
     std::array<Sines, 2 * kLastSine + 1> table{};
     for (int k = 0; k <= kLastSine; ++k) {
@@ -45,10 +45,10 @@ constexpr auto kSines = [] {
     return table;
 }();
 
-/// Where sines of small angles end, which are the angle and a small rest by the power series.
+/// Angles below this count as small: their sine is the angle and a small rest by the power series.
 constexpr double kSmallAngle = 0.1875;
 
-/// Angles that are their own sine and tangent; one is -0.
+/// Angles below this are their own sine and tangent; one of them is -0.
 constexpr double kIsItsSine = 0x1p-30;
 
 /// sin of a small angle; not normalized
@@ -82,7 +82,7 @@ double rounded_sine(const Pair& angle, bool is_turned) {
     return sine.high + sine.low;
 }
 
-/// The sine after so many quarter turns changes its sign every two of them.
+/// The sine after `quarters` quarter turns: it changes its sign every two of them.
 double with_sign(double sine, int quarters) {
     const auto half_turns = static_cast<std::uint64_t>(quarters) >> 1U;
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(sine) ^ half_turns << 63U);

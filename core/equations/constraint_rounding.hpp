@@ -22,14 +22,15 @@ inline constexpr double kContradicts = 1e-3;
 /// Residual up to which redundant equations count as consistent at the start: a lesson is typed with at least
 /// seven digits. A larger one is a contradiction.
 inline constexpr double kRepeatsUpTo = 1e-6;
-/// Residual of rows left out from which the rank is taken again, and the growth after which once more: a
-/// scene that begins at a singular position leaves out rows that become independent later.
+/// Residual of the rows left out from which the rank is computed again, and the growth after which it is
+/// computed once more: a scene that begins at a singular position leaves out rows that become independent
+/// later.
 inline constexpr double kAskedFrom = 1e-6;
 inline constexpr double kAskedAgain = 10.0;
 
 /// True if a projection has converged.
 /// @param worst residual of this iteration
-/// @param last residual of the one before, infinite for the first
+/// @param last residual of the previous one, infinite for the first
 inline bool is_at_rounding(double worst, double last) {
     return worst <= kRoundingOnly || (worst < kNearlyExact && worst > 0.5 * last);
 }

@@ -2,7 +2,7 @@
 
 #include "core/jets/drivers.hpp"
 
-/// A measure in (r, ω') with everything that velocities and accelerations need of it.
+/// A measure in (r, ω') with all terms that velocities and accelerations need.
 namespace jw {
 
 struct MeasureJet {

@@ -90,7 +90,7 @@ public:
 
     RowOrigin origin(int row) const;
     /// Nominal size of a row: |s_i||s_j|, the scene's unit of length, ...; residuals and rows are divided by
-    /// it before they are compared, so that long vectors and other length units change no verdict.
+    /// it before they are compared, so that long vectors and other length units do not change a verdict.
     double row_unit(int row) const;
 
     /// Applies the rule of slide 5 at `state` to every p1 / p2 under ParallelForm::rule. Where an equation is

@@ -171,7 +171,7 @@ void IndependentCoordinates::place(double t, const VectorX& x, double* y) {
     }
     const bool reached = tracker_->advance_to(t);
     pack(tracker_->frame().state, tracker_->frame().velocity, moving_, y);
-    // from a dead end no way back can be proved
+    // after a failure, the way back cannot be proved
     if (!reached) { begin_tracking(accepted_t_, accepted_.data()); }
 }
 

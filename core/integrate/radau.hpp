@@ -20,8 +20,8 @@ struct RadauTable {
 /// @param stages 3 for order 5 or 5 for order 9
 RadauTable radau_table(int stages);
 
-/// Radau integrator: collocation in reduced coordinates x with s times as many unknowns as these, whatever
-/// the number of bodies.
+/// Radau integrator: collocation in reduced coordinates x with s times as many unknowns as these, for any
+/// number of bodies.
 class RadauIntegrator final : public TimeStepper {
 public:
     /// `equations` must outlive this; `y` is projected first.

@@ -9,8 +9,8 @@ namespace jw {
 
 namespace {
 
-/// Largest rotation of a body within a step [rad]: where drivers leave little or no freedom, no error of the
-/// few independent numbers shows that the others were passed over.
+/// Largest rotation of a body within a step [rad]: if drivers leave little or no freedom, the error of the
+/// few independent numbers does not show that the others were skipped.
 constexpr double kMostTurn = 1.0;
 /// Deviation of stages from where their rates lead, as a share of the displacement and of the fastest motion.
 constexpr double kMostShareOff = 0.1;

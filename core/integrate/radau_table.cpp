@@ -16,9 +16,8 @@ struct Coefficients {
 
 // The nodes c are the zeros of P_s - P_(s-1), shifted to (0, 1]; a integrates polynomials of degree below s
 // exactly from 0 to c_i. With b, the last row of a, and b_hat, the quadrature of order s whose weight at 0 is
-// gamma_0: a^T e = b_hat
-// - b. Solved in double precision and kept to the last digit, on which numbers of lessons depend, although
-// (3, 3) of the first table is 1/9 to 16 digits only.
+// gamma_0: a^T e = b_hat - b. Solved in double precision. The last digits are kept because numbers of lessons
+// depend on them, although (3, 3) of the first table is 1/9 to 16 digits only.
 
 constexpr Coefficients<3> kOrder5{
     {0.15505102572168217, 0.64494897427831788, 1.0},

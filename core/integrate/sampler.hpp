@@ -21,14 +21,15 @@ namespace jw {
 /// (implicit ones, whose accelerations are less exact than their positions) provide it instead.
 ///
 /// A polynomial does not satisfy the constraints. Every state is checked: one that misses them by more than
-/// the tolerance is projected onto them or, if that is no small change, integrated from the end of the step
-/// before. If the result still does not belong to this motion, neither it nor any later state is given out.
+/// the tolerance is projected onto them or, if that is not a small change, integrated from the end of the
+/// previous step. If the result still does not belong to this motion, neither it nor any later state is given
+/// out.
 class Sampler {
 public:
     using Receive = std::function<void(double t, const std::vector<double>& y)>;
 
     /// Calls `receive` once per time, in order, as soon as its state is known; `times` ascend. States passed
-    /// to it are flat (flat_state.hpp) whatever the coordinates of `equations`, which must outlive this.
+    /// to it are flat (flat_state.hpp) for any coordinates of `equations`, which must outlive this.
     /// @param tolerance of Φ divided by the size of its equation, and of Φq q̇ - ν divided by the fastest
     ///        motion as well; infinite where the motion may leave the constraints
     Sampler(

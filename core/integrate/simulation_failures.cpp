@@ -13,8 +13,8 @@ namespace jw {
 
 namespace {
 
-/// Largest misfit, in sizes of the scene, of a pose that is out of reach: behind a fast driver it is a few;
-/// beyond, the numbers are no pose at all.
+/// Largest misfit, in sizes of the scene, of a pose that is out of reach. Behind a fast driver it is a few
+/// sizes; if it is larger, the numbers are not a pose.
 constexpr double kBlewUp = 10.0;
 
 /// Name of the joint or driver of a row.
@@ -131,7 +131,7 @@ std::optional<SimulationFailure> Simulation::failure_of_proof(
     failure.cause = Cause::not_proven;
     failure.violation = here.forces;
     if (!forces_hold) { return failure; }
-    // rows left out as redundant demand another acceleration
+    // rows left out as redundant require another acceleration
     if (integrated().rows_left_out() > 0) { failure.cause = Cause::contradiction; }
     failure.violation = here.constraints;
     failure.equation_of = here.driver >= 0 ? scene_.mechanism.drivers[at(here.driver)].name
@@ -139,8 +139,9 @@ std::optional<SimulationFailure> Simulation::failure_of_proof(
     return failure;
 }
 
-/// The nearest of all whole turns is taken at every stage of a step. Its end may lie half a turn away, but a
-/// method whose steps turn a spring by more than a quarter of one knows its angle no better than its turns.
+/// Every stage of a step takes the nearest number of whole turns. The end of the step may lie half a turn
+/// away. But if the steps of a method turn a spring by more than a quarter turn, its angle is as uncertain as
+/// its turns.
 std::optional<SimulationFailure> Simulation::failure_of_turns(double t, const std::vector<double>& y) const {
     constexpr double most = 0.5 * std::numbers::pi;
     if (entry_of(settings_.method).adaptive) { return std::nullopt; }

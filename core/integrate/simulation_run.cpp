@@ -48,11 +48,12 @@ void SimulationRun::begin(double t, std::vector<double> start) {
     sampler_ = std::make_unique<Sampler>(
         simulation.integrated(), times_, receive_, simulation.tolerance_of_samples());
     sampler_->take(*stepper_);
-    // checking all joints would cost more than an evaluation in joint coordinates: a quarter of them per step
+    // checking all joints would cost more than an evaluation in joint coordinates: a quarter is checked per
+    // step
     const bool in_joints = simulation.other_ && !simulation.settings_.dense;
     const int shares = in_joints ? 4 : 1;
     certificate_ = std::make_unique<Certificate>(simulation.scene_, simulation.stabilisation(), shares);
-    // all of them at the start: a contradictory scene is not started
+    // all of them at the start: a contradictory scene does not start
     for (int share = 0; share < shares && !outcome_.failure; ++share) {
         outcome_.failure = simulation.failure_of_proof(*certificate_, *stepper_, outcome_.residual);
     }
@@ -64,7 +65,7 @@ void SimulationRun::remember() {
     if (simulation_->other_) { proved_ = stepper_->y(); }
 }
 
-/// Goes on from the last state that was proved, in the coordinates of the bodies.
+/// Continues from the last state that was proved, in coordinates of the bodies.
 bool SimulationRun::go_on_with_bodies() {
     Simulation& simulation = *simulation_;
     if (!simulation.may_leave_joints()) { return false; }

@@ -23,7 +23,7 @@ IntegrationCounts& IntegrationCounts::operator+=(const IntegrationCounts& other)
 
 StepAhead::StepAhead(double t, double t_end, double wanted) {
     const double left = t_end - t;
-    // a remainder of rounding is not a step of its own
+    // a remainder that is only rounding does not get a separate step
     last = wanted >= left * (1.0 - 1e-12);
     h = last ? left : std::min(wanted, 0.5 * left);
     end = last ? t_end : t + h;

@@ -2,7 +2,7 @@
 
 #include "core/jets/coordinates.hpp"
 
-/// A body as the equations want it, from its pose and its motion.
+/// A body in the form that the equations need, from its pose and its motion.
 namespace jw {
 
 /// Kinematics of a body at a pose; its motion is not set.
@@ -28,8 +28,8 @@ BodyKinematics<C> kinematics_at(const Vec3& r, const Vec4& p, const Vec3& r_dot,
 template <class C>
 using Angular = Eigen::Matrix<double, C::kAngular, 1>;
 
-/// Sets the motion from ω' at p, which need not be a unit quaternion: stages of an integrator are not. ω̇',
-/// ω̇ and p̈ without its part along p follow in the same way (slide 13).
+/// Sets the motion from ω' at p, which need not be a unit quaternion: at stages of an integrator it is not.
+/// ω̇', ω̇ and p̈ (without its part along p) follow in the same way (slide 13).
 template <class C>
 Angular<C> angular_of(const Vec4& p, const Vec3& omega_local) {
     if constexpr (C::kNormalised) {

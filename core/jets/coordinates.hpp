@@ -40,7 +40,7 @@ struct Theta {
     double rate = 0.0;
 };
 
-/// θ as the equations of a choice want it.
+/// θ in the form that the equations of a choice need.
 template <class C>
 struct ThetaOfChoice {
     using Type = Theta;

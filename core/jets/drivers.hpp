@@ -100,8 +100,8 @@ inline TimeFunction::Value target_of(const Measure& measure, const TimeFunction&
     return {f.f * f.f, 2.0 * f.f * f.f_dot, 2.0 * (f.f_dot * f.f_dot + f.f * f.f_ddot)};
 }
 
-/// Φ of a driver: measure minus target; an angle is compared modulo a turn, so that the same pose
-/// answers for every count of turns and no false solution half a turn away exists.
+/// Φ of a driver: measure minus target. An angle is compared modulo a turn, so that the same pose satisfies
+/// the equation for every number of turns, and there is no false solution half a turn away.
 inline double driver_residual(const Measure& measure, double measured_value, double target) {
     if (!std::holds_alternative<AngleMeasure>(measure)) { return measured_value - target; }
     constexpr double turn = 2.0 * std::numbers::pi;

@@ -46,7 +46,7 @@ Vec4 euler_parameters_of(const Mat3& A) {
     } else {
         const Eigen::Index k = largest - 1;
         p(0) = skew(k);
-        p.tail<3>() = A.col(k) + A.row(k).transpose();  // 4 e_k e, but for the diagonal
+        p.tail<3>() = A.col(k) + A.row(k).transpose();  // 4 e_k e, except for the diagonal
         p(largest) = squares(largest);
     }
     p.normalize();
@@ -72,9 +72,9 @@ Vec3 across(const Vec3& a) {
 }  // namespace
 
 // Written out: Eigen's FromTwoVectors takes the axis of a half turn from a singular value decomposition,
-// which is most of what a source that calls it costs to compile. Turns are the same.
+// which is most of the compile time of a source that calls it. The results are the same.
 Vec4 euler_parameters_between(const Vec3& from, const Vec3& to) {
-    // 1 + cosine below which the axis that both span is lost in rounding
+    // below this value of 1 + cosine, the axis that both define is lost in rounding
     constexpr double kOpposite = 1e-12;
     constexpr double kNearlyOpposite = -0.9;
     const Vec3 a = from.normalized();
@@ -84,7 +84,7 @@ Vec4 euler_parameters_between(const Vec3& from, const Vec3& to) {
     if (cosine < kOpposite - 1.0) {
         p << 0.0, across(a);
     } else {
-        // of nearly opposite directions 1 + cosine is rounding for the most part, their sum is not
+        // for nearly opposite directions, 1 + cosine is mostly rounding, but their sum is not
         const double twice = cosine > kNearlyOpposite ? std::sqrt((1.0 + cosine) * 2.0) : (a + b).norm();
         p << twice * 0.5, a.cross(b) * (1.0 / twice);
     }

@@ -29,7 +29,7 @@ inline Mat34 L_of(const Vec4& p) {
 }
 
 /// A_N = (2 e0² - 1) I + 2 (e eᵀ + e0 ẽ): the matrix of slide 24. Orthogonal only for unit p;
-/// p is used as it is, never normalised here, so that derivatives with respect to p stay true.
+/// p is used unchanged, never normalised here, so that derivatives with respect to p stay true.
 Mat3 rotation_matrix(const Vec4& p);
 
 /// A_H = G Lᵀ = |p|² R: equal to A_N on the unit sphere, a scaled rotation everywhere.

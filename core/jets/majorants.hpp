@@ -8,14 +8,14 @@
 #include "core/jets/body_kinematics.hpp"
 #include "core/jets/drivers.hpp"
 
-/// Majorants: bounds of everything that a jet has, over a region of poses instead of at one pose. They are a
+/// Majorants: bounds of everything in a jet, over a region of poses instead of at one pose. They are a
 /// coordinate choice (r, p with A = G Lᵀ, so that every equation is a polynomial), and a primitive is bounded
 /// by its own line in primitives.hpp.
 ///
 /// A region is all poses with |r - r_0| ≤ reach_r and |p - p_0| ≤ reach_p for each body. Content `jacobian`
-/// bounds first and second derivatives there, `motion` the derivatives along a path within it. All operations
-/// are sums and products of numbers that are not negative, so that rounding is a share of the result and is
-/// allowed for once, where bounds are compared.
+/// bounds first and second derivatives there, and `motion` the derivatives along a path within it. All
+/// operations are sums and products of numbers that are not negative, so that rounding is a share of the
+/// result; it is allowed for once, where bounds are compared.
 namespace jw {
 
 struct Majorants {};
@@ -133,7 +133,7 @@ inline DerivativeBounds of_bounded_function(const DerivativeBounds& x) {
 
 inline double length_of(double top, double bottom) { return std::sqrt(top * top + bottom * bottom); }
 
-/// Bounds of two rows on top of each other.
+/// Bounds of two rows, one above the other.
 template <class B>
 B stacked(B top, const B& bottom) {
     const auto join = [](auto& of, const auto& with) {
@@ -148,7 +148,7 @@ B stacked(B top, const B& bottom) {
     return top;
 }
 
-/// Sets the size of a jet whose value and deviation are known, and of which `most` is another bound.
+/// Sets the size of a jet whose value and deviation are known; `most` is another bound of it.
 template <class J>
 void set_size(J& jet, double most) {
     jet.size = std::min(jet.value.norm() + jet.away, most);

@@ -6,12 +6,12 @@
 #include "core/jets/body_kinematics.hpp"
 #include "core/jets/drivers.hpp"
 
-/// Power series along a path: everything that a jet has as a polynomial of one parameter. They are a
-/// coordinate choice (r, p with A = G Lᵀ), and a primitive is expanded by its own line in primitives.hpp.
+/// Power series along a path: everything in a jet as a polynomial of one parameter. They are a coordinate
+/// choice (r, p with A = G Lᵀ), and a primitive is expanded by its own line in primitives.hpp.
 namespace jw {
 
-/// Coefficients 0 to 8. Watt's linkage leaves its line at the fifth order; a linkage that begins to leave
-/// beyond the eighth has left by 1e-7 within a fifth of a radian only.
+/// Coefficients 0 to 8. Watt's linkage leaves its line at the fifth order; a linkage that begins to leave it
+/// beyond the eighth order has left it by only 1e-7 within a fifth of a radian.
 inline constexpr int kOrders = 9;
 
 struct PowerSeries {};

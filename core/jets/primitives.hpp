@@ -222,7 +222,7 @@ enum class ScrewAngleForm {
 
 /// Screw, angle: θ is the right-handed angle from u_i to u_j about s_i.
 ///
-///   Φ as said in ScrewAngleForm                                                (1 equation)
+///   Φ as given by ScrewAngleForm                                               (1 equation)
 ///
 /// @source slide 11; docs/notation.md
 struct ScrewAngle {
@@ -301,7 +301,7 @@ auto equations(
     return phi;
 }
 
-/// Two scalar jets on top of each other.
+/// Two scalar jets, one above the other.
 template <class C, Content K, unsigned S>
 Jet<C, K, 2, S> stacked(const Jet<C, K, 1, S>& top, const Jet<C, K, 1, S>& bottom) {
     Jet<C, K, 2, S> out;

@@ -10,7 +10,7 @@
 /// a cross product of two such vectors, so the product rule below is the only place where derivatives of
 /// constraints are written down.
 ///
-/// A jet has a value, and as asked for by `Content`:
+/// A jet has a value and, depending on `Content`:
 ///  - the Jacobian: blocks on body i, body j and on an artificial coordinate θ;
 ///  - the motion: `rate` (time derivative) and `bias` (the part of the second time derivative that is
 ///    quadratic in the velocities), so that γ of an equation is -bias.

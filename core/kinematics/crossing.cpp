@@ -8,25 +8,26 @@
 #include "core/kinematics/paths/cubic_path.hpp"
 #include "core/kinematics/turning_point.hpp"
 
-/// Change points, which are crossed, and the causes of an end: the poses at which no step can be proved.
+/// Change points, which the motion crosses, and the causes of its end: the poses at which no step can be
+/// proved.
 namespace jw {
 
 namespace {
 
-// poses before a change point whose margins are compared, and how much less each is than the one before
+// poses before a change point whose margins are compared, and the ratio of the margins of successive poses
 constexpr std::size_t kMostRemembered = 40;
 constexpr double kNearer = 0.8;
 constexpr double kApart = 2.0;
-// A pose is off by rounding over its margin: 1e-9 at 5e-7, so the margin by 1 in 500. Nearer poses count only
-// where too few others are known.
+// The error of a pose is rounding divided by its margin: 1e-9 at 5e-7, so the margin is known to 1 in 500.
+// Nearer poses are used only if too few others are known.
 constexpr double kExactMargin = 5e-7;
 constexpr double kLeastMargin = 1e-300;
-// least value of the parabola, as a share of the one at the pose, that counts as none
+// largest minimum of the parabola, as a share of its value at the pose, that counts as zero
 constexpr double kDoubleRoot = 0.1;
 
-// [rad, or units of length]: far enough for the singular value to be plain, near enough to be beside the pose
+// [rad, or units of length]: far enough for a clear singular value, near enough to be beside the pose
 constexpr double kBeside = 1e-2;
-// [rad], no part of a turn: the numbers of a motion that has no symmetry
+// [rad], not a fraction of a turn: gives numbers of a motion without symmetry
 constexpr double kNoSymmetry = 2.4;
 
 }  // namespace
@@ -38,7 +39,7 @@ bool MotionTracker::satisfies_between(const MotionFrame& from, const MotionFrame
     return satisfies(newton_.assembler(), middle, 0.5 * (from.t + to.t), kCrossed);
 }
 
-/// Largest rank beside the pose: along a free motion that mixes all of them, to either side.
+/// Largest rank beside the pose, in both directions along a free motion that mixes all free motions.
 int MotionTracker::rank_beside() {
     Motion any = zero_motion(system_->mechanism());
     double phase = 0.0;
@@ -68,9 +69,9 @@ int MotionTracker::rank_beside() {
 /// False where rounding hides the branch: no step can be proved.
 bool MotionTracker::is_decided() { return proof_.decides_at({frame_.t, &frame_.state, &path_velocity_}); }
 
-/// Root of the margin squared. Where branches meet or come near to each other, it is a parabola of time: with
-/// a double root at a change point, with none where branches pass each other. At a turning point the root is
-/// a simple one.
+/// Root of the margin squared. Where branches meet or come near to each other, the square is a parabola of
+/// time: with a double root at a change point, and without a root where branches pass each other. At a
+/// turning point, the root is simple.
 MotionTracker::Root MotionTracker::find_root() {
     const auto margin_at = [&](double time, const State& state, const Motion& velocity) {
         proof_.decides_at({time, &state, &velocity});
@@ -115,7 +116,7 @@ MotionTracker::Root MotionTracker::find_root() {
     return {};
 }
 
-/// Keeps the last poses of the approach, each nearer to the singular pose than the one before: at its end
+/// Keeps the last poses of the approach, each nearer to the singular pose than the previous one: at its end,
 /// rounding makes steps so short that they come no nearer.
 void MotionTracker::remember() {
     const double margin = proof_.margin_nearby();
@@ -125,7 +126,7 @@ void MotionTracker::remember() {
     latest_.push_back({frame_.t, frame_.state, path_velocity_, margin});
 }
 
-/// Goes on along the tangent where rounding hides the branch, towards time `t` and no further than kCrossing.
+/// Continues along the tangent where rounding hides the branch, towards time `t`, but at most by kCrossing.
 bool MotionTracker::cross(double t) {
     if (!is_crossing_ && !latest_.empty() && find_root().kind != Root::Kind::double_root) { return false; }
     double speed = 1e-300;
@@ -156,8 +157,8 @@ void MotionTracker::explain_end(double t) {
         failure_->t = root.t;
         return;
     }
-    // one small step beyond a dead end the gap is too small for a verdict: whether the parts can meet is
-    // determined at `t`
+    // one small step past a dead end, the gap is too small for a verdict, so it is determined at `t` whether
+    // the parts can meet
     PositionFailure there = diagnose(*system_, frame_.state, frame_.state, t, failure_->iterations);
     if (there.cause == FailureCause::cannot_close) {
         failure_ = std::move(there);

@@ -10,19 +10,19 @@ namespace jw {
 
 namespace {
 
-// Part of a velocity that may be no free motion: what the decomposition of Φq leaves of it.
+// Part of a velocity that may not be a free motion: the error of the decomposition of Φq.
 constexpr double kNotFree = 1e-6;
 // Equations are assembled to rounding at best.
 constexpr double kAssembled = 1e-15;
-// Factor for the misfit at the pose, which rounding may hide in part.
+// Factor for the misfit at the pose, part of which rounding may hide.
 constexpr double kRoomOfPose = 4.0;
-// Other velocities that are expanded: a polynomial that is not zero vanishes at none of a few points but by
-// accident.
+// Number of other velocities that are expanded: a polynomial that is not zero is unlikely to vanish at any of
+// a few points.
 constexpr int kOthers = 3;
 static_assert(kOrders == kHighestOrder + 1);
 
-/// A pose that is off by δ along the motion has parts of higher coefficients in the lower ones: these count
-/// only beyond that. δ is as large as the misfit at the pose allows.
+/// If a pose is off by δ along the motion, its lower coefficients contain parts of the higher ones: a
+/// coefficient counts only beyond these parts. δ is as large as the misfit at the pose allows.
 std::optional<Missed> first_that_counts(const Misfits& misfits) {
     const double at_pose = kRoomOfPose * misfits[0].value + kAssembled;
     double off = 1.0;

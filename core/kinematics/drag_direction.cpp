@@ -11,9 +11,9 @@ namespace {
 
 // [rad, or sizes of the machine]: an arc of 0.2 leaves its tangent by a tenth of the step
 constexpr double kWholeStep = 0.2;
-// a target further off counts only by its direction; a nearer one keeps digits for the last steps
+// a more distant target counts only by its direction; a nearer one keeps digits for the last steps
 constexpr double kFar = 10.0;  // sizes of the machine
-// conjugate directions: as many as there are freedoms, but not more than are worth their cost in one step
+// conjugate directions: as many as there are freedoms, but not more than are useful in one step
 constexpr int kMostDirections = 8;
 constexpr double kDirectionRest = 1e-3;
 // differences of gradients: truncation 1e-6, rounding 1e-16 / 1e-6
@@ -77,7 +77,7 @@ void Dragger::find_direction() {
     }
 }
 
-/// Shortens the direction to a whole step at most. @return the share of one that it is
+/// Shortens the direction to at most a whole step. @return its length as a share of a whole step
 double Dragger::shorten_direction() {
     // displacements are in sizes of the machine
     const double share = largest_part(*system_, direction_, 1.0) / kWholeStep;
@@ -85,8 +85,8 @@ double Dragger::shorten_direction() {
     return std::min(share, 1.0);
 }
 
-/// Finds the direction of a step. @param rank of the equations that count
-/// @return its promise, none where the pull has no free part
+/// Finds the direction of a step. @param rank  of the equations that count
+/// @return its promise; an empty one if the pull has no free part
 Dragger::Promise Dragger::find_way(int rank) {
     rank_ = rank;
     const Vec3 e = target_ - point(state_);

@@ -8,19 +8,19 @@ namespace jw {
 
 namespace {
 
-// steps refused by the proof, each half as long as the one before, until it is asked whether rounding hides
-// the branch
+// number of steps that the proof rejects, each half as long as the previous one, before it is checked whether
+// rounding hides the branch
 constexpr int kRejectedUntilAsked = 4;
 constexpr double kGrowthOfReach = 2.0;
-// least share of a whole step: where rounding does not hide the branch, a longer one is proved
+// least share of a whole step: if rounding does not hide the branch, a longer one is proved
 constexpr double kShortestShare = 1e-7;
 
 }  // namespace
 
-/// Takes the longest step that is proved to stay on its branch, of those halved again and again. All
-/// equations count, however close to lost.
+/// Takes the longest step that is proved to stay on its branch; the step is halved repeatedly. All equations
+/// count, even those that are nearly lost.
 /// @return the share of a whole step that was taken, 0 if none; nothing where branches meet, or rounding
-///         hides them
+/// hides them
 std::optional<double> Dragger::proved_step(DragOutcome& outcome) {
     const Promise promise = find_way(rank_of_all(least_squares_, residual_));
     double fraction = std::min(1.0, reach_ / promise.share);
@@ -52,7 +52,7 @@ std::optional<double> Dragger::proved_step(DragOutcome& outcome) {
 /// rounding hides the branch.
 bool Dragger::is_decided(const State& state) {
     const bool decided = !is_singular_ && proof_->decides_at(state, zero_motion(system_->mechanism()));
-    // parts of the mechanism that were found here are those of a singular pose
+    // the parts of the mechanism found here are those of a singular pose, so they are discarded
     if (!decided) {
         proof_ = FreeProof::of(*system_, t_);
         reach_ = 1.0;
@@ -60,8 +60,8 @@ bool Dragger::is_decided(const State& state) {
     return decided;
 }
 
-/// Moves the pose in `newton_` to `reached_`, where it is known as well as rounding lets it be, and factors
-/// its equations. @return their rank
+/// Moves the pose in `newton_` to `reached_`, where it is exact up to rounding, and factors its equations.
+/// @return their rank
 int Dragger::polish() {
     reached_ = newton_.state();
     factor(reached_, least_squares_there_);

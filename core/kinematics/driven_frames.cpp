@@ -12,14 +12,16 @@ namespace jw {
 namespace {
 
 /// Least squared part of a row that must be independent of the others. Measured on Bennett's mechanism near
-/// its folded position: accelerations are then good to 1e-13, and lose a digit for every digit below.
+/// its folded position: accelerations are good to 1e-13 at this value, and lose a digit for each power of ten
+/// below it.
 constexpr double kLeastPivot = kSurelyIndependent;
-/// Rounding of Φ by the size of its equations; rows that repeat others but contradict them are above it.
+/// Rounding of Φ divided by the size of its equations; redundant rows that contradict the others are above
+/// it.
 constexpr double kHolds = 1e-13;
-/// Largest |Φ| of a prediction, by the size of its equations, whose factorisation serves the pose, too: each
-/// refinement then leaves less than 1e-5, as pivots are not below kLeastPivot.
+/// Largest |Φ| of a prediction, divided by the size of its equations, whose factorisation can also be used at
+/// the pose: each refinement then leaves less than 1e-5, as pivots are not below kLeastPivot.
 constexpr double kNear = 1e-8;
-/// Longest step that a polynomial is continued for, by the time between two of its poses: errors of poses and
+/// Longest step for which a polynomial is continued, in times between two of its poses: errors of poses and
 /// of the polynomial grow with the ninth power of this.
 constexpr double kMostContinued = 1.5;
 
@@ -71,12 +73,12 @@ bool DrivenFrames::start(const State& state, const Motion& velocity, const Motio
     t_ = t;
     known_ = 0;
     pack(state, velocity, system_->moving_bodies(), y_.data());
-    // others would be declined in the end; rows of many loops take their time to be chosen
+    // unsound rows would be declined later anyway, and it takes time to choose rows of many loops
     if (!equations_->rows_are_sound(t, y_.data())) { return false; }
     equations_->choose_rows(t, y_.data());
     if (equations_->rows() - equations_->rows_left_out() != system_->columns(3)) { return false; }
     const RowsVerdict verdict = equations_->evaluate(t, y_.data(), y_dot_.data());
-    // results found by others stay: they may be better than those of the rows kept here
+    // earlier results are kept: they may be better than those of the rows chosen here
     std::size_t n = 0;
     for (const int body : system_->moving_bodies()) {
         const auto b = static_cast<std::size_t>(body);
@@ -91,7 +93,7 @@ bool DrivenFrames::led_on() const {
     return is_on_tangent(movement(y_, y_new_, length_), movement(predicted_, y_new_, length_));
 }
 
-/// Keeps what is known of the pose that the next advance departs from.
+/// Stores what is known of the pose from which the next advance starts.
 void DrivenFrames::remember() {
     if (known_ > 0 && latest_.back().t == t_) { return; }
     std::ranges::rotate(latest_, latest_.begin() + 1);
@@ -101,8 +103,8 @@ void DrivenFrames::remember() {
     equations_->derivatives(y_.data(), y_dot_.data(), latest_.back().known.data());
 }
 
-/// Predicts the pose at `t` by the polynomial through the latest poses: of order 9 after three, of order 6 or
-/// 3 where others are too near to one another for this step.
+/// Predicts the pose at `t` by the polynomial through the latest poses: of order 9 after three, and of order
+/// 6 or 3 if poses are too near to each other for this step.
 void DrivenFrames::predict(double t) {
     std::size_t used = 1;
     const auto is_apart = [&](double other) {

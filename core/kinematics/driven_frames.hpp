@@ -9,28 +9,29 @@
 #include "core/motion/motion_equations.hpp"
 #include "core/numerics/hermite.hpp"
 
-/// Position, velocity and acceleration of a mechanism whose drivers leave nothing open: the quick way from
-/// moment to moment, over the graph of joints, where no rank has to be decided. The normal equations
-/// Φq W Φqᵀ that it solves square the condition number, so it declines wherever that would cost digits.
+/// Position, velocity and acceleration of a mechanism whose drivers leave no freedom: a fast solver from
+/// one time to the next over the graph of joints, where no rank has to be determined. The normal equations
+/// Φq W Φqᵀ that it solves square the condition number, so it declines wherever that would lose digits.
 namespace jw {
 
 class DrivenFrames {
 public:
-    /// False for a part of a mechanism, for artificial coordinates, and where no driver drives: equations of
-    /// motion have no place for these.
+    /// False for a part of a mechanism, for artificial coordinates, and without drivers: the equations of
+    /// motion do not support these.
     static bool can_follow(const System& system);
     explicit DrivenFrames(const System& system);
 
-    /// Starts at a pose and determines which rows repeat others.
-    /// @return false where the rows leave something open, or too little is left of one of them
+    /// Starts at a pose and determines which rows are redundant.
+    /// @return false if the rows leave a freedom, or if too little is left of one of them
     bool start(const State& state, const Motion& velocity, const Motion& acceleration, double t);
-    /// Advances to time `t` by Newton's method from the pose that position, velocity and acceleration at up
-    /// to three times before predict.
-    /// @return false where a rank has to be decided or Newton led elsewhere; the pose is unchanged then
+    /// Advances to time `t` by Newton's method. The start is a pose predicted from position, velocity and
+    /// acceleration at up to three earlier times.
+    /// @return false if a rank has to be determined or Newton's method led elsewhere; the pose is unchanged
+    /// then
     bool advance(double t);
     /// Takes the last advance back.
     void retreat();
-    /// Numbers of the moving bodies into `state`, `velocity` and `acceleration`; the others stay.
+    /// Writes the numbers of the moving bodies into `state`, `velocity` and `acceleration`; the others stay.
     void write(State& state, Motion& velocity, Motion& acceleration) const;
 
 private:

@@ -10,7 +10,7 @@ namespace jw {
 
 namespace {
 
-// Roundings that an order adds to a coefficient: a product of four factors and the sum of a row.
+// Roundings that each order adds to a coefficient: a product of four factors and the sum of a row.
 constexpr double kRoundingOfOrder = 64.0 * 0x1p-53;
 
 }  // namespace
@@ -26,7 +26,7 @@ Expansion::Expansion(const System& system, const State& state, const Motion& vel
     choose_independent();
 }
 
-/// Bodies that the velocity moves and those that equations link to them: nothing else has a part in it.
+/// Finds the bodies that the velocity moves and those that equations link to them: only these take part.
 void Expansion::find_linked() {
     const auto& all = step_.table().all();
     const auto speed = [&](const Coordinates& c) {
@@ -61,7 +61,7 @@ bool Expansion::is_linked(int equation) const {
         step_.blocks(equation), [&](int k) { return k >= 0 && first_column_[at(k)] >= 0; });
 }
 
-/// Equations in the order of addition, behind the lengths of p, which are always independent.
+/// Orders the equations as they were added, after the lengths of p, which are always independent.
 void Expansion::order_equations() {
     for (const bool lengths : {true, false}) {
         for (std::size_t e = 0; e < step_.equations().size(); ++e) {
@@ -82,8 +82,8 @@ MatrixX Expansion::jacobian_of(int equation) {
     return J;
 }
 
-/// Chooses independent rows, J of which is L Qᵀ. Those of an equation are turned, so that what is missed does
-/// not depend on the directions in which it is written.
+/// Chooses independent rows, whose J is L Qᵀ. The rows of an equation are rotated, so that what is missed
+/// does not depend on the directions in which the equation is written.
 void Expansion::choose_independent() {
     J_ = MatrixX::Zero(rows_count_, columns_);
     Q_ = MatrixX::Zero(columns_, columns_);
@@ -102,8 +102,8 @@ void Expansion::choose_independent() {
     L_.conservativeResize(rank, rank);
 }
 
-/// A row is independent if enough of it is left beside those before it. Taken out twice: once leaves rounding
-/// of the size of what was taken.
+/// A row is independent if enough of it is left after the projection on earlier rows is removed. It is
+/// removed twice: once leaves rounding of the size of what was removed.
 void Expansion::add_row(int row) {
     const auto r = static_cast<Eigen::Index>(independent_.size());
     VectorX rest = J_.row(row).transpose();
@@ -188,7 +188,7 @@ VectorX Expansion::solve(int order) {
     return Q_ * y;
 }
 
-/// The equation that is missed most, by more than errors explain.
+/// The equation that is missed most, beyond what errors explain.
 Missed Expansion::worst(int order, const VectorX& own) const {
     Missed missed{order, 0.0, 0};
     const double spread = kRoundingOfOrder * order * size_.maxCoeff() / least_pivot_;

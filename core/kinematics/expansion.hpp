@@ -7,10 +7,10 @@
 #include "core/kinematics/proof/proved_step.hpp"
 
 /// Power series of a path along a velocity: order by order from the independent equations, and how much the
-/// others are missed.
+/// other equations are missed.
 namespace jw {
 
-/// Coefficient of the equation that is missed most; 0 where errors explain it.
+/// Coefficient of the equation that is missed most; 0 if errors explain it.
 struct Missed {
     int order = 0;
     double value = 0.0;  ///< in units of the equation
@@ -23,7 +23,7 @@ public:
     /// @param system drivers stand still at time 0; must outlive this
     Expansion(const System& system, const State& state, const Motion& velocity);
 
-    /// False where no equation can be missed, or where there are too many.
+    /// False if no equation can be missed, or if there are too many.
     bool has_dependent_rows() const { return static_cast<int>(independent_.size()) < rows_count_; }
     /// Free motions of the bodies that are linked to those that move.
     Eigen::Index freedoms() const { return columns_ - static_cast<Eigen::Index>(independent_.size()); }
@@ -40,7 +40,7 @@ public:
     const ProvedStep& step() const { return step_; }
 
 private:
-    /// Rows of an equation, from `first` on; they are `turn`ᵀ times those of its primitive.
+    /// Rows of an equation, from `first` on: `turn`ᵀ times the rows of its primitive.
     struct Rows {
         int equation = 0;
         int first = 0;
@@ -59,7 +59,7 @@ private:
     Missed worst(int order, const VectorX& own) const;
 
     ProvedStep step_;
-    std::vector<int> first_column_;  ///< per coordinate, -1 where it is not linked to what moves
+    std::vector<int> first_column_;  ///< per coordinate, -1 where it is not linked to moving bodies
     int columns_ = 0;
     double tolerance_;
     std::vector<Rows> rows_;
@@ -76,7 +76,7 @@ private:
     VectorX size_;                    ///< per row: sum of the sizes of its terms
 };
 
-/// Least speed of what moves, relative to the largest: below it a null vector may be rounding.
+/// Least speed of a moving body, relative to the largest: below it, a null vector may be rounding.
 inline constexpr double kLeastSpeed = 1e-6;
 
 }  // namespace jw

@@ -14,7 +14,7 @@ namespace {
 
 // a whole number of steps, up to rounding
 constexpr double kOfAStep = 1e-12;
-// of no length, or a tiny one: more than any path has
+// for a step length of zero, or a tiny one: more than any path has
 constexpr double kMostStepsToProve = 1e9;
 
 std::size_t steps_to_prove(double length) {
@@ -46,7 +46,7 @@ FollowedMotion follow_free_motion(
     for (std::size_t k = 1; k < after.size(); ++k) { motion.states.push_back(after[k].state); }
 
     motion.departure = find_departure(still, state, direction);
-    // the first step of a motion beside it does not lead along the velocity
+    // the first step of another motion does not lead along this velocity
     const std::size_t first = motion.departure ? 1 : 0;
     const std::size_t proved = steps_to_prove(step_turn);
     const bool is_proved =
@@ -62,7 +62,7 @@ FollowedMotion follow_free_motion(
 
 FreedomJudgement judge_free_motion(
     const System& system, const State& state, double t, const VectorX& direction) {
-    // beside a motion of first order the proof begins a step later
+    // for another motion, the proof begins a step later
     const int steps = static_cast<int>(steps_to_prove(kFreedomStep)) + 1;
     return follow_free_motion(system, state, t, direction, steps, kFreedomStep);
 }

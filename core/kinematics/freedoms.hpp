@@ -6,29 +6,28 @@
 #include "core/equations/system.hpp"
 #include "core/kinematics/departure.hpp"
 
-/// Free motions: whether a null vector of Φq belongs to a motion, or is a velocity only.
+/// Free motions: whether a null vector of Φq belongs to a motion, or is only a velocity.
 namespace jw {
 
 /// Verdict on a null vector of Φq.
 enum class FreedomVerdict {
     finite,       ///< it is the velocity of a motion, proved over kProvedLength
-    first_order,  ///< it is no velocity of any motion; FollowedMotion::departure says how it leaves Φ = 0
+    first_order,  ///< not the velocity of a motion; FollowedMotion::departure says how it leaves Φ = 0
     cannot_tell,
 };
 
 /// Length over which a motion is proved [rad, or sizes of the machine].
 inline constexpr double kProvedLength = 0.2;
 
-/// Length of the steps by which a motion is followed where nobody asks for others [rad, or sizes of the
-/// machine].
+/// Default length of the steps by which a motion is followed [rad, or sizes of the machine].
 inline constexpr double kFreedomStep = 0.03;
 
 /// Verdict on a free motion, with how it leaves the equations.
 struct FreedomJudgement {
     FreedomVerdict verdict = FreedomVerdict::cannot_tell;
-    std::optional<Departure> departure;  ///< where it is of first order only
-    /// For first order: another motion leads away from the start, along the states that are followed, and is
-    /// proved.
+    std::optional<Departure> departure;  ///< if it is of first order only
+    /// For first order: another motion, through the states that are followed, leads away from the start, and
+    /// is proved.
     bool has_motion_beside = false;
 
     bool is_finite() const { return verdict == FreedomVerdict::finite; }
@@ -40,24 +39,24 @@ struct FollowedMotion : FreedomJudgement {
     int start = 0;              ///< index of the start in `states`
 };
 
-/// Follows a free motion in both senses along the assembled states: a step along the tangent nearest to the
-/// one before, then Newton's method.
+/// Follows a free motion in both directions along the assembled states: a step along the tangent nearest to
+/// the previous one, then Newton's method.
 ///
-/// It is finite if it does not leave the equations at any order (find_departure), and if, in one sense at
-/// least, it is proved that a path leads along the first states, kProvedLength long: by StepProof, with what
-/// is left free kept to the cubic path; all equations hold at the ends of all steps to 1e-11 of their unit,
-/// or to ten times what they miss at the start. A step that cannot be proved is halved. From a start where
-/// branches cross none can be: there a step of kCrossing is taken if the cubic path along `direction`
-/// satisfies the equations.
+/// It is finite if it does not leave the equations at any order (find_departure), and if, in at least one
+/// direction, it is proved that a path of length kProvedLength leads along the first states: by StepProof,
+/// where what is left free follows the cubic path. All equations hold at the ends of all steps to 1e-11 of
+/// their unit, or to ten times what they miss at the start. A step that cannot be proved is halved. From a
+/// start where branches cross, no step can be proved: there a step of kCrossing is taken if the cubic path
+/// along `direction` satisfies the equations.
 ///
-/// States are there for a motion of first order, too: where branches cross, a vector between their tangents
+/// States are also given for a motion of first order: where branches cross, a vector between their tangents
 /// leads onto one of them. The tangent predicts a movement h; Newton's method projects it onto Φ = 0 and
-/// leaves a movement m. Along a curve m/h tends to 1 as h shrinks, and the correction must be less than a
+/// leaves a movement m. Along a curve, m/h tends to 1 as h shrinks, and the correction must be less than a
 /// third; between branches it keeps a fixed part, and a tenth is enough. Tried for h, h/4, h/16, h/64.
 ///
 /// @param state satisfies the constraints at time `t`, at which drivers stand still
 /// @param direction columns of (r, ω') and θ with Φq direction = 0, as RankReport::free_motions; any size
-/// @param steps at most this many in each sense; fewer where the motion ends
+/// @param steps at most this many in each direction; fewer where the motion ends
 /// @param step_turn largest turn of a body per step [rad]; displacements count in sizes of the machine.
 ///        Nothing is finite unless `steps` of this length are kProvedLength long
 /// @throws std::invalid_argument if `direction` has not the system's number of columns
@@ -65,7 +64,7 @@ FollowedMotion follow_free_motion(
     const System& system, const State& state, double t, const VectorX& direction, int steps,
     double step_turn);
 
-/// Judgement on a free motion, which is followed by steps of kFreedomStep and no farther than it needs.
+/// Judgement on a free motion, which is followed by steps of kFreedomStep and only as far as needed.
 FreedomJudgement judge_free_motion(
     const System& system, const State& state, double t, const VectorX& direction);
 

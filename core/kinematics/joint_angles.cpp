@@ -11,19 +11,19 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-// beyond, an angle is not known to a turn: the run has blown up [rad]
+// [rad] the turns of a larger angle are not known: the run has blown up
 constexpr double kMostCounted = 1e9;
 
 int whole_turns(double angle) {
     return std::abs(angle) < kMostCounted ? static_cast<int>(std::round(angle / kTurn)) : 0;
 }
 
-/// Bound of the error of an angle by the mean rate between two poses, whether its rate changes evenly or all
-/// at once [rad].
+/// Bound of the error of an angle that is predicted by the mean rate between two poses, whether its rate
+/// changes evenly or suddenly [rad].
 Eigen::ArrayXd left_open(const HermitePolynomial::Node& from, const HermitePolynomial::Node& to) {
     return 0.5 * std::abs(to.t - from.t) * (to.known.col(1) - from.known.col(1)).abs();
 }
-// where less is left open, accelerations are not asked: near singular poses they may be anything
+// if the bound is smaller, accelerations are not used: near singular poses they can be arbitrary
 constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 
 }  // namespace
@@ -31,7 +31,7 @@ constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 FollowedAngles::FollowedAngles(const Mechanism& mechanism) : mechanism_(&mechanism) {
     for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
         const JointType& type = *mechanism.joints[at(j)].type;
-        // θ of a screw is a coordinate, which has its turns
+        // θ of a screw is a coordinate, which includes its turns
         if (type.has_angle() && type.artificial == 0) { joints_.push_back(j); }
     }
 }
@@ -60,7 +60,7 @@ void FollowedAngles::begin(double t, const State& state, const Motion& velocity,
     take_turns(expected, latest_.back());
 }
 
-/// Takes the whole turns that bring the angles of a pose nearest to the expected ones.
+/// Adds the whole turns that bring the angles of a pose nearest to the expected ones.
 void FollowedAngles::take_turns(const Eigen::ArrayXd& expected, Node& node) {
     for (std::size_t k = 0; k < joints_.size(); ++k) {
         double& angle = node.known(static_cast<Eigen::Index>(k), 0);

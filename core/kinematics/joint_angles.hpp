@@ -7,11 +7,11 @@
 
 namespace jw {
 
-/// Angles of joints along a motion. A pose gives an angle up to whole turns only, in (-π, π]; the motion
-/// tells how many turns it has made. It begins within half a turn, a driven angle at what its driver asks
-/// for. From one pose to the next the turn is taken that the rates lead to, so poses must be near enough for
-/// rates and accelerations at both to predict the angle to half a turn: those of consecutive steps of a
-/// tracker or an integrator are.
+/// Angles of joints along a motion. A pose gives an angle only up to whole turns, in (-π, π]; the motion
+/// determines how many turns it has made. It begins within half a turn; a driven angle begins at the value of
+/// its driver. From one pose to the next, the turns to which the rates lead are used, so poses must be near
+/// enough for rates and accelerations at both to predict the angle to half a turn: those of consecutive steps
+/// of a tracker or an integrator are.
 class FollowedAngles {
 public:
     /// @param mechanism must outlive this
@@ -19,7 +19,7 @@ public:
 
     /// Begins a motion at a pose.
     void begin(double t, const State& state, const Motion& velocity, const Motion& acceleration);
-    /// Goes on to the next pose of the motion, later or earlier.
+    /// Continues to the next pose of the motion, later or earlier.
     void reach(double t, const State& state, const Motion& velocity, const Motion& acceleration);
     /// Whole turns of every joint at the last pose, 0 for joints without an angle: the angle of the joint is
     /// that of the pose plus 2π times this.
@@ -34,7 +34,7 @@ private:
     void take_turns(const Eigen::ArrayXd& expected, Node& node);
 
     const Mechanism* mechanism_;
-    std::vector<int> joints_;   ///< that have an angle
+    std::vector<int> joints_;   ///< joints that have an angle
     std::vector<Node> latest_;  ///< angles in the order of `joints_`, turns included [rad]
     std::vector<int> turns_;    ///< one per joint of the mechanism
 };

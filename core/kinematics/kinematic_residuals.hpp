@@ -5,7 +5,7 @@
 /// Residuals of position, velocity and acceleration in the equations, independent of how they were found.
 namespace jw {
 
-/// Residual of a solution in its equations, and the bound that rounding puts on it.
+/// Residual of a solution in its equations, and the bound of the residual by rounding.
 struct EquationResidual {
     double residual = 0.0;  ///< largest residual of a row, divided by its size (System::row_unit)
     double bound = 0.0;     ///< bound of `residual`
@@ -21,7 +21,7 @@ struct KinematicResiduals {
 };
 
 /// Computes rates and biases of the equations by the product rule along the motion, in (r, ω). No Jacobian is
-/// formed, whereas velocities and accelerations were solved for with one. Linear in the number of bodies.
+/// formed, although velocities and accelerations were computed with one. Linear in the number of bodies.
 ///
 /// Bounds. Position: where Newton's method stops. Velocity and acceleration: a solution x of Φq x = b has a
 /// residual from rounding of the terms, at most ε c (|x| + |b| + 1), and from the error of the position, 10

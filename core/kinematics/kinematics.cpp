@@ -23,8 +23,8 @@ void Kinematics<C>::set_state(const State& state, double t) {
     t_ = t;
     assembler_.assemble_phi_and_jacobian(state_, t_);
     least_squares_.compute(assembler_.sparse_jacobian());
-    // threshold as for singular values: the pivot of a redundant row, and its contradiction, are about the
-    // position error
+    // the same threshold as for singular values: the pivot of a redundant row, and its contradiction, are
+    // about as large as the position error
     const VectorX& phi = assembler_.phi();
     residual_ = phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
     position_error_ = residual_ <= kAssembledResidual ? kErrorFactor * residual_ : 0.0;

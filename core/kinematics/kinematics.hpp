@@ -9,7 +9,7 @@ namespace jw {
 /// Verdict on a linear system: whether the rows are consistent, and whether the solution is unique.
 struct LinearVerdict {
     int rank = 0;
-    bool unique = false;     ///< rank = columns; else the solution is the one nearest to the reference
+    bool unique = false;     ///< rank = columns; otherwise the solution is the one nearest to the reference
     bool consistent = true;  ///< no row contradicts the others
     double residual = 0.0;   ///< largest |Φq x - b|, scaled, relative to the largest of |b| and 1
     int worst_row = 0;
@@ -42,7 +42,7 @@ public:
     /// Minimum-norm accelerations with Φq q̈ = γ at `velocity`.
     AccelerationOutcome solve_acceleration(const Motion& velocity);
 
-    /// Rank by pivots, and the ratio of the last pivot that counts to the one before: near 0 at a change
+    /// Rank by pivots, and the ratio of the last pivot that counts to the previous one: near 0 at a change
     /// point.
     int rank() const { return rank_; }
     double last_pivot_ratio() const;

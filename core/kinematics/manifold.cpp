@@ -19,17 +19,17 @@ constexpr double kHuge = 1e100;
 // a decrease of ½ distance² below this share of it is rounding
 constexpr double kSmallestGain = 1e-13;
 constexpr double kSufficient = 1e-4;  // Armijo, as in newton.cpp
-// 1, 1/4 ... 1/64 of a step; where corrections stay proportional to it, the pose is a corner
+// 1, 1/4 ... 1/64 of a step; if corrections stay proportional to it, the pose is a corner
 constexpr int kMostAttempts = 4;
 constexpr double kShorter = 0.25;
 // quadratic convergence needs 4 from a good prediction
 constexpr int kMostCorrections = 8;
-// at a corner the tangent belongs to no branch: a solution near the prediction is accepted if it is about as
-// far from the start
+// at a corner, the tangent does not belong to any branch: a solution near the prediction is accepted if it is
+// about as far from the start
 constexpr double kLargestCornerCorrection = 1.5;
 constexpr double kSmallestCornerStep = 0.3;
 
-/// Scaling with displacements in sizes of the machine, so that a small machine is moved rather than turned.
+/// Scaling with displacements in sizes of the machine, so that a small machine moves instead of turning.
 Scaling scaling_by_size(const System& system, double size) {
     Scaling scaling = scaling_of<OmegaLocal>(system);
     for (const int body : system.moving_bodies()) {
@@ -99,7 +99,7 @@ double Dragger::residual() const {
     return phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
 }
 
-/// Newton's method on Φ from the tangent; the result is in `newton_` if it has converged.
+/// Applies Newton's method to Φ from the tangent; the result is in `newton_` if it has converged.
 bool Dragger::correct(double fraction, DragOutcome& outcome) {
     step_ = fraction * direction_.cwiseProduct(scaling_.column);
     trial_ = state_;
@@ -110,7 +110,7 @@ bool Dragger::correct(double fraction, DragOutcome& outcome) {
     return newton_.outcome() && newton_.outcome()->converged;
 }
 
-/// Takes one step. @return the share of a whole step that it is, 0 if no step brings the point nearer
+/// Takes one step. @return its share of a whole step, 0 if no step brings the point nearer
 double Dragger::step(DragOutcome& outcome) {
     if (proof_) {
         const std::optional<double> proved = proved_step(outcome);
@@ -122,7 +122,7 @@ double Dragger::step(DragOutcome& outcome) {
     return promise.gain > 0.0 && step_along_tangent(promise, outcome) ? 1.0 : 0.0;
 }
 
-/// Takes a step that stays near its tangent, where nothing is proved.
+/// Takes a step that stays near its tangent, if nothing can be proved.
 bool Dragger::step_along_tangent(const Promise& promise, DragOutcome& outcome) {
     double fraction = 1.0;
     bool corner = false;
@@ -142,14 +142,14 @@ bool Dragger::step_along_tangent(const Promise& promise, DragOutcome& outcome) {
             way_out_ = reached;
         }
     }
-    // corrections proportional to the step, however short: branches meet here, and none is along the tangent
+    // corrections stay proportional to even short steps: branches meet here, and none follows the tangent
     if (!corner || !has_way_out) { return false; }
     accept(way_out_);
     return true;
 }
 
 bool Dragger::Promise::is_rounding(double fraction) const {
-    // not: of what is no number
+    // negated, so that NaN counts as rounding
     return !(fraction * gain > kSmallestGain * value);
 }
 

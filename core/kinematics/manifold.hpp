@@ -12,8 +12,8 @@ namespace jw {
 
 /// Rank by pivots at a pose assembled to `residual` (scaled).
 int rank_of_all(const LeastSquares& least_squares, double residual);
-/// As in the motion tracker, the weakest equation does not count here where it is close to lost: near a
-/// singular pose it is mostly position error.
+/// As in the motion tracker, the weakest equation does not count here if it is nearly lost: near a singular
+/// pose it is mostly position error.
 int reliable_rank(const LeastSquares& least_squares, double residual);
 
 /// Moves `state` to a nearby assembled state by Newton's method; rows are chosen again there.
@@ -24,20 +24,21 @@ bool project(System& system, State& state, double t);
 struct DragOutcome {
     double distance = 0.0;  ///< from the point to the target [m]; 0 for a target that is ignored
     int freedoms = 0;       ///< columns - rank at the last pose
-    bool blocked = false;   ///< short of the target, and no freedom moves the point towards it
+    bool blocked = false;   ///< not at the target, and no freedom moves the point towards it
     int newton_iterations = 0;
     double residual = 0.0;  ///< largest |Φ|, scaled
 };
 
 /// Drags an assembled state so that a point of a body comes as near as possible to a target. A pull is a few
 /// steps along the free motions (r, ω'): Newton's method on the distance, with the curvature of the
-/// constraints, each step corrected by Newton's method on Φ. A step is taken only if the distance decreases,
-/// so pulls at a target out of reach end at the nearest point on the way there and stay. Time and drivers are
-/// fixed.
+/// constraints; each step is corrected by Newton's method on Φ. A step is taken only if the distance
+/// decreases, so pulls at a target out of reach end at the nearest point on the way there and stay. Time and
+/// drivers are fixed.
 ///
-/// Steps in loops are taken only if it is proved that they stay on their branch (FreeProof), halved until it
-/// is. Where branches meet, or rounding hides them, nothing can be proved, and in loops of many bodies it
-/// takes too long: there a step is taken if it stays near its tangent, or leads on from a corner.
+/// Steps in loops are taken only if it is proved that they stay on their branch (FreeProof); they are halved
+/// until it is. Where branches meet, or rounding hides them, nothing can be proved, and in loops of many
+/// bodies a proof takes too long: there a step is taken if it stays near its tangent, or leads on from a
+/// corner.
 class Dragger {
 public:
     /// @param system must outlive this; its rows are chosen again between the steps
@@ -54,11 +55,11 @@ public:
     const State& state() const { return state_; }
 
 private:
-    /// A direction of a pull: ½ distance² and what the direction promises of it, per fraction.
+    /// A direction of a pull: ½ distance², and how much of it the direction promises to gain per fraction.
     struct Promise {
         double value = 0.0;
         double gain = 0.0;
-        double share = 1.0;  ///< of a whole step, that the direction is long
+        double share = 1.0;  ///< length of the direction, as a share of a whole step
 
         bool is_rounding(double fraction) const;
     };
@@ -97,15 +98,15 @@ private:
     LeastSquares least_squares_there_;  ///< at the end of a step
     bool is_factored_ = false;          ///< `least_squares_` belongs to the state and its rows
     bool is_singular_ = false;          ///< more equations are independent at the end of the step
-    std::unique_ptr<FreeProof> proof_;  ///< where there are loops
-    int proofs_left_ = 0;               ///< that this pull may try
+    std::unique_ptr<FreeProof> proof_;  ///< if there are loops
+    int proofs_left_ = 0;               ///< proofs that this pull may still try
     double reach_ = 1.0;                ///< share of a whole step that was proved last: tried first
 
     // pulled point
     int body_ = 0;
     Vec3 point_local_ = Vec3::Zero();
     Vec3 target_ = Vec3::Zero();
-    Vec3 goal_ = Vec3::Zero();  ///< the target, or a point on the way to one that is far away
+    Vec3 goal_ = Vec3::Zero();  ///< the target, or a point on the way if it is far away
 
     // work space: scaled unknowns
     State trial_;

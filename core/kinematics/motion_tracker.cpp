@@ -9,7 +9,7 @@ namespace jw {
 
 namespace {
 
-// a step is halved so often before it is asked whether rounding hides the branch
+// number of halvings of a step before it is checked whether rounding hides the branch
 constexpr int kMostRejected = 4;
 // steps of one interval: a motion that takes more comes too near to a singular pose, or leads too far
 constexpr int kMostTried = 50000;
@@ -18,7 +18,7 @@ constexpr double kShortest = 0x1p-46;
 constexpr double kShortestFree = 0x1p-12;
 // growth of a step after one that was proved: more would often be rejected
 constexpr double kGrowth = 1.5;
-// corrections of a pose near a change point: halvings from where Newton's method may stop there, 1e-7, to
+// corrections of a pose near a change point: halvings from 1e-7, where Newton's method may stop there, to
 // rounding
 constexpr int kMostCorrections = 30;
 // where an equation is lost, a larger correction is mostly error [rad, or units of length]
@@ -90,7 +90,7 @@ MotionTracker::MotionTracker(System& system, State state, double t, bool with_ac
 
 MotionTracker::~MotionTracker() = default;
 
-/// Resumes quick steps where the rows are sound again after a full step.
+/// Uses quick steps again if the rows are sound again after a full step.
 void MotionTracker::restart_quick_way() {
     quick_is_sound_ = quick_ && !is_at_change_ && frame_.velocity_verdict.unique &&
                       frame_.velocity_verdict.consistent && frame_.acceleration_verdict.consistent &&
@@ -98,7 +98,7 @@ void MotionTracker::restart_quick_way() {
 }
 
 /// Corrects the pose from Newton's tolerance to rounding. Near a change point each correction must halve the
-/// residual; where an equation is lost, none may lead far.
+/// residual; if an equation is lost, no correction may be large.
 void MotionTracker::polish(bool is_lost) {
     for (int k = 0; k < kMostCorrections; ++k) {
         const double residual = kinematics_.residual();
@@ -131,7 +131,7 @@ void MotionTracker::analyse(double h) {
         kinematics_.leave_out_weakest();
     }
 
-    // nearest to the expected velocity: at a change point this is the tangent of the current branch
+    // nearest to the expected velocity: at a change point, this is the tangent of the current branch
     VelocityOutcome velocity = kinematics_.solve_velocity(expected);
     frame_.velocity = std::move(velocity.velocity);
     frame_.velocity_verdict = velocity.verdict;
@@ -144,7 +144,7 @@ void MotionTracker::analyse(double h) {
 }
 
 /// Corrects the velocity at a change point. There the velocity equations do not determine the tangent, but
-/// accelerations exist along the branches only: the free part of the velocity is scaled by secant steps until
+/// accelerations exist only along the branches: the free part of the velocity is scaled by secant steps until
 /// γ is consistent.
 void MotionTracker::follow_branch() {
     const Motion bound = kinematics_.solve_velocity(zero_motion(system_->mechanism())).velocity;
@@ -200,11 +200,11 @@ bool MotionTracker::try_step(double h) {
     return true;
 }
 
-/// Poses at `frame_.t + h` by Newton's method from the prediction; the result is in `newton_`.
+/// Finds the pose at `frame_.t + h` by Newton's method from the prediction; the result is in `newton_`.
 bool MotionTracker::find_pose(double h, Way way) {
     MotionFrame base = frame_;
     if (way == Way::proved) { base.velocity = path_velocity_; }
-    // at a change point accelerations are not determined by the rows: predict along the tangent alone
+    // at a change point the rows do not determine accelerations: predict along the tangent alone
     if (is_at_change_) { base.acceleration = zero_motion(system_->mechanism()); }
     const State prediction = predicted(*system_, base, h);
     // between solves: after a large step the kept pair may have lost rank
@@ -223,7 +223,7 @@ bool MotionTracker::find_pose(double h, Way way) {
             frame_.t + h};
         return false;
     }
-    // of what is left free nothing is proved
+    // nothing is proved of what is left free
     const bool has_full_rank = full_rank_ >= system_->columns(OmegaLocal::kAngular);
     const bool is_good = way == Way::proved && has_full_rank
                              ? is_meant(*system_, newton_.state(), sides_)
@@ -280,8 +280,8 @@ bool MotionTracker::advance_to(double t) {
     return reached && reach(t);
 }
 
-/// False where drivers leave bodies free together: nothing is proved then, and the motion is followed along
-/// its tangent.
+/// False if drivers leave bodies free together: then nothing is proved, and the motion is followed along its
+/// tangent.
 bool MotionTracker::is_determined() {
     return full_rank_ >= system_->columns(OmegaLocal::kAngular) ||
            !proof_.leaves_bodies_free({frame_.t, &frame_.state, &path_velocity_});
@@ -314,7 +314,7 @@ bool MotionTracker::reach(double t) {
             is_driven_ = is_determined();
         }
         if (!is_driven_ && full_rank_ < rank_beside_) {
-            // drivers determine less here than beside the start: several branches may lead on, or none
+            // drivers determine less here than beside the start: several branches may continue, or none
             explain_end(t);
             return false;
         }

@@ -14,7 +14,7 @@ namespace jw {
 
 class DrivenFrames;
 
-/// Ratio of the last pivot to the one before below which a pose is reported as a change point.
+/// Ratio of the last pivot to the previous one below which a pose is reported as a change point.
 inline constexpr double kChangePointRatio = 1e-3;
 /// Ratio below which the weakest equation is left out of velocities and accelerations: at a change point
 /// Newton's tolerance of 1e-13 determines a position only to its square root, 3e-7, and that equation is
@@ -31,17 +31,17 @@ struct MotionFrame {
     LinearVerdict velocity_verdict;
     LinearVerdict acceleration_verdict;
     int substeps = 1;            ///< steps since the last frame
-    int tries = 1;               ///< attempts at steps, those rejected included: each a proof
+    int tries = 1;               ///< attempts at steps, including rejected ones: each is a proof
     bool rows_switched = false;  ///< a p1 / p2 choice changed since the last frame
-    /// Singular pose or nearly so: the rank is lower than in poses around it. Passed along the previous
-    /// tangent.
+    /// Singular pose or nearly so: the rank is lower than in poses around it. The motion passes it along the
+    /// previous tangent.
     bool change_point = false;
 };
 
 /// Predictor-corrector: predicts along velocity and acceleration, corrects with Newton's method, and accepts
-/// a step only if it is proved that the motion leads from the one pose to the other (StepProof); else it
-/// takes a shorter one. So a pose does not depend on how many others are asked for. Where rounding hides the
-/// branch, at a change point, the motion goes on along its tangent if that satisfies the equations, and
+/// a step only if it is proved that the motion leads from one pose to the other (StepProof); otherwise it
+/// takes a shorter step. So a pose does not depend on how many others are requested. Where rounding hides the
+/// branch, at a change point, the motion continues along its tangent if that satisfies the equations, and
 /// `change_point` says so. Where the rows are sound and leave no freedom, it uses the fast solver
 /// DrivenFrames; elsewhere it determines ranks.
 class MotionTracker {
@@ -57,7 +57,7 @@ public:
     ///        the last good pose
     bool advance_to(double t);
     const std::optional<PositionFailure>& failure() const { return failure_; }
-    /// Times at which the motion went on across a change point along its tangent, not proved [s].
+    /// Times at which the motion continued across a change point along its tangent, not proved [s].
     const std::vector<double>& crossings() const { return crossings_; }
 
 private:
@@ -74,7 +74,7 @@ private:
     Quick try_quick_step(double h);
     bool try_thorough_step(double h, Way way);
     bool cross(double t);
-    /// Root of the square of StepProof::margin that the motion comes to.
+    /// Root of the square of StepProof::margin that the motion approaches.
     struct Root {
         enum class Kind { none, simple_root, double_root };
         Kind kind = Kind::none;
@@ -105,7 +105,7 @@ private:
     MotionFrame reached_;
     FollowedAngles angles_;
     StepProof proof_;
-    Motion path_velocity_;  ///< of the frame by all its equations; at change points `frame_` leaves one out
+    Motion path_velocity_;       ///< of the frame by all its equations; at change points, `frame_` omits one
     std::vector<double> kinks_;  ///< times at which a third derivative of a driver jumps
     double step_ = HUGE_VAL;     ///< length of a step that can be proved [s]
     /// Pose that was proved, with its velocity.
@@ -115,14 +115,14 @@ private:
         Motion velocity;
         double margin = 0.0;  ///< StepProof::margin_nearby
     };
-    std::vector<Proved> latest_;  ///< of the approach to a singular pose
+    std::vector<Proved> latest_;  ///< poses of the approach to a singular pose
     bool is_crossing_ = false;    ///< the frame was reached without a proof
     std::vector<double> crossings_;
-    bool is_start_ = true;    ///< nothing has moved yet
+    bool is_start_ = true;    ///< nothing has moved so far
     bool is_driven_ = false;  ///< drivers leave no bodies free together: steps are proved
     /// At a singular pose or nearly so, by the rank of the motion so far.
     bool is_at_change_ = false;
-    int rank_beside_ = 0;  ///< of poses beside the start, where it may be singular
+    int rank_beside_ = 0;  ///< rank of poses beside the start, where it may be singular
     std::optional<PositionFailure> failure_;
 };
 

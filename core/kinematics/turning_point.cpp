@@ -17,9 +17,9 @@ constexpr double kFirstLength = 1e-3;
 constexpr double kGrowthPastTurn = 2.0;
 constexpr double kLongest = 0.05;
 constexpr int kMostStepsPastTurn = 100;
-// [rad, or units of length]: a thousand times what poses are off by
+// [rad, or units of length]: a thousand times the error of poses
 constexpr double kBehind = 1e-9;
-// far beyond what is asked, and no part of a turn: angles are compared modulo one
+// far beyond what is needed, and a small part of a turn: angles are compared modulo a turn
 constexpr double kGoesOn = 0.01;
 
 Selection without(Selection selection, int driver) {

@@ -42,7 +42,7 @@ enum class Dimension { none, length, square };
 /// Name and parts of the equations of a role.
 struct RoleTraits {
     Role role;
-    std::string_view name;  ///< beside the rows of a joint; of its own within every joint
+    std::string_view name;  ///< beside the rows of a joint; unique within a joint
     int independent;        ///< equations that can be independent: two of the three of p1 and p2
     unsigned vectors;       ///< of Vectors
     Dimension dimension;
@@ -93,8 +93,7 @@ struct JointGeometry {
     bool operator==(const JointGeometry&) const = default;
 };
 
-/// Motion that a joint allows, one part after the other from the body that carries to the one that is
-/// carried.
+/// Motion that a joint allows, one part after the other, from the carrying body to the carried one.
 enum class Freedom {
     turn,             ///< about the axis of the carried body
     turn_of_carrier,  ///< about the axis of the carrying body
@@ -125,12 +124,12 @@ enum class JointGlyph {
     bead_on_plate,
 };
 
-/// All that the program knows of a joint: nothing else asks for its name.
+/// Everything that the program knows of a joint: nothing else depends on its name.
 struct JointType {
     std::string_view name;
     std::span<const Role> roles;
     int dof;                          ///< relative freedoms of the two bodies
-    std::span<const Freedom> motion;  ///< these freedoms; empty where no chain of simple ones gives them
+    std::span<const Freedom> motion;  ///< these freedoms; empty if no chain of simple ones gives them
     int artificial;                   ///< artificial coordinates it brings along
     JointGlyph glyph;
     std::string_view source;
@@ -144,14 +143,13 @@ struct JointType {
     constexpr bool uses(Vectors vectors) const {
         return std::ranges::any_of(roles, [&](Role r) { return (traits_of(r).vectors & vectors) != 0; });
     }
-    /// The angle about the axis is free: it can be driven, claimed and plotted, and sides say from where it
-    /// is measured.
+    /// The angle about the axis is free: it can be driven, claimed and plotted, and sides define its zero.
     constexpr bool has_angle() const { return uses(Role::axes_parallel) && !uses(Role::sides_perpendicular); }
     /// The displacement along the axis is free.
     constexpr bool has_displacement() const { return uses(Role::distance_parallel); }
     /// Its points keep a distance.
     constexpr bool has_distance() const { return uses(Role::length); }
-    /// A body can hang from another by it in a tree of joints: its motion is all that it leaves free.
+    /// A body can hang from another by it in a tree of joints: its motion is exactly what it leaves free.
     constexpr bool can_carry() const {
         int freedoms = 0;
         for (const Freedom freedom : motion) { freedoms += freedoms_of(freedom); }
@@ -239,17 +237,17 @@ inline const JointType* find_joint_type(std::string_view name) {
     return found == kJointTypes.end() ? nullptr : found;
 }
 
-/// Which form p1 and p2 of a joint take.
+/// Form of p1 and p2 of a joint.
 enum class ParallelForm {
     rule,    ///< two of three, by the rule of slide 5 with hysteresis
-    drop_x,  ///< two of three, the x equation dropped whatever the axis does
+    drop_x,  ///< two of three, the x equation dropped for every axis
     drop_y,
     drop_z,
     all_three,  ///< all three kept; one is redundant
     pair,       ///< two n1 (n2) rows with vectors perpendicular to s_i instead
 };
 
-/// The primitive of `role` for a joint of this geometry; `form` matters to p1 and p2 only.
+/// The primitive of `role` for a joint of this geometry; `form` matters only for p1 and p2.
 Primitive primitive_of(Role role, const JointGeometry& geometry, ParallelForm form);
 
 }  // namespace jw

@@ -126,10 +126,10 @@ double angle_acceleration(
 
 namespace {
 
-/// Neither of the bodies can get away from the other.
+/// Neither body can move away from the other.
 bool ties(const Joint& joint) { return joint.type->uses(Role::same_point) || joint.type->uses(Role::length); }
 
-/// Which bodies cannot get away from the fixed ones, whatever their start poses.
+/// Bodies that cannot move away from the fixed ones, whatever their start poses.
 std::vector<bool> tied_bodies(const Mechanism& mechanism) {
     std::vector<bool> tied;
     for (const Body& body : mechanism.bodies) { tied.push_back(body.fixed); }
@@ -150,7 +150,7 @@ std::vector<bool> tied_bodies(const Mechanism& mechanism) {
 
 double extent(const Mechanism& mechanism) {
     double largest = 0.0;
-    double reach = 0.0;  // of a chain of all that is tied
+    double reach = 0.0;  // of a chain of all tied bodies
     for (const Joint& joint : mechanism.joints) {
         const JointGeometry& g = joint.geometry;
         largest = std::max({largest, g.P_i_local.norm(), g.P_j_local.norm(), g.length});
@@ -168,7 +168,7 @@ double extent(const Mechanism& mechanism) {
         largest = std::max(largest, farthest);
         return largest > 0.0 ? largest : 1.0;
     }
-    // a start estimate beyond what its joints can reach says nothing of the size of the mechanism
+    // a start estimate beyond the reach of its joints says nothing about the size of the mechanism
     const std::vector<bool> tied = tied_bodies(mechanism);
     for (std::size_t b = 0; b < tied.size(); ++b) {
         const double distance = (mechanism.bodies[b].r - origin).norm();

@@ -35,8 +35,7 @@ struct Joint {
     int body_j = 0;
     JointGeometry geometry;
     ParallelForm parallel_form = ParallelForm::rule;
-    /// Equations taken out by hand, whatever the form keeps; one that the joint does not have changes
-    /// nothing.
+    /// Equations taken out by hand, independent of the form; one that the joint does not have has no effect.
     std::vector<EquationOut> without;
 };
 
@@ -50,14 +49,14 @@ struct Driver {
     TimeFunction function;
 };
 
-/// What the digits of typed numbers leave open about the rank of all joints together.
+/// What the digits of typed numbers leave undecided about the rank of all joints together.
 struct TypedVerdict {
     int rank_as_typed = 0;
     int rank = 0;         ///< of the mechanism that was meant
     double misfit = 0.0;  ///< largest |Φ| of the mechanism as typed along that one's motion, scaled
     double share = 0.0;   ///< largest change of a number, in half units of its last digit
     /// A mechanism within the digits has `rank` along a motion of finite length. False: none was found, and
-    /// the rank cannot be told.
+    /// the rank is not known.
     bool is_told = false;
 };
 
@@ -65,7 +64,7 @@ struct Mechanism {
     std::vector<Body> bodies;
     std::vector<Joint> joints;
     std::vector<Driver> drivers;
-    std::optional<TypedVerdict> typed;  ///< where the digits of the joints decide their rank
+    std::optional<TypedVerdict> typed;  ///< if the digits of the joints decide their rank
 
     int moving_bodies_count() const;
     /// Joint index -> index of its artificial coordinate, -1 where it has none.
@@ -97,13 +96,13 @@ Motion zero_motion(const Mechanism& mechanism);
 /// Right-handed angle from u_i to u_j about s_i of a joint at `state`, in (-π, π].
 double relative_angle(const Joint& joint, const State& state);
 
-/// θ of a screw: that angle with the turns that its advance tells [rad].
+/// θ of a screw: this angle with the turns that its advance determines [rad].
 double screw_angle(const Joint& joint, const State& state);
 
 /// Rate of either, s_iᵀ (ω_j - ω_i) [rad/s].
 double angle_rate(const Joint& joint, const State& state, const Motion& motion);
 
-/// s_iᵀ (ω̇_j - ω̇_i) + (ω_i x s_i)ᵀ (ω_j - ω_i) [rad/s²]. @param acceleration ω̇' in the place of ω'
+/// s_iᵀ (ω̇_j - ω̇_i) + (ω_i x s_i)ᵀ (ω_j - ω_i) [rad/s²]. @param acceleration  ω̇' instead of ω'
 double angle_acceleration(
     const Joint& joint, const State& state, const Motion& motion, const Motion& acceleration);
 

@@ -50,7 +50,7 @@ Place place_of_driver(const Driver& driver, const Mechanism& mechanism, const Bo
         driver.measure);
 }
 
-/// Block of one row and one body as force, and torque about the body's centre of mass over ℓ.
+/// Block of one row and one body as a force, and as a torque about the body's centre of mass divided by ℓ.
 template <class Block>
 Vec6 pull_of(const Block& row, double length) {
     Vec6 pull = row.transpose();

@@ -5,7 +5,7 @@
 #include "core/equations/link_equations.hpp"
 #include "core/motion/loads.hpp"
 
-/// Forces and torques that a joint or driver can transmit, whatever the form of its equations.
+/// Forces and torques that a joint or driver can transmit, for any form of its equations.
 namespace jw {
 
 /// Centroidal scene at one moment, with the index of the six equilibrium equations of every moving body.

@@ -12,8 +12,7 @@ constexpr unsigned kSeed = 1;
 /// passed on from body to body through the reactions.
 constexpr double kFloor = 1e-3;
 
-/// Accelerations that need ten days for one extent [1/s²]: where nothing moves, all accelerations are
-/// rounding.
+/// Accelerations that take ten days for one extent [1/s²]: if nothing moves, all accelerations are rounding.
 constexpr double kUnseen = 1e-12;
 
 /// Residual below which the drift is not evaluated, since rounding explains it.
@@ -25,9 +24,8 @@ bool asks_for_parameter(const LinkEquation& equation) {
     return asked != nullptr && asked->coordinate >= 3;
 }
 
-/// Largest work that a force can do along a motion of this size, wherever it acts and whatever axis the
-/// motion turns about. A body pushed across its freedoms and turned along them has only products that are
-/// rounding.
+/// Largest work that a force can do along a motion of this size, for any point of application and any axis of
+/// rotation. If a body is pushed across its freedoms and turned along them, all products are rounding.
 double size_of(const BodyForce& force, const Vec3& way, const Vec3& turn, double extent) {
     return (force.f.lpNorm<1>() * extent + force.n_local.lpNorm<1>()) *
            (way.lpNorm<1>() / extent + turn.lpNorm<1>());

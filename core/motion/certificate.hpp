@@ -81,7 +81,7 @@ private:
     double extent_;
     bool needs_p_ = false;  ///< whether a driver prescribes one of e0 ... e3
     std::vector<int> moving_;
-    std::vector<int> loaded_moving_;  ///< indices among them of bodies whose pose the loads need
+    std::vector<int> loaded_moving_;  ///< indices in `moving_` of bodies whose pose the loads need
     std::vector<Link> links_;
     std::vector<std::size_t> first_row_;  ///< index of the first row of every link in inverse_unit_
     std::vector<double> inverse_unit_;    ///< per row: 1 / change of Φ when bodies move by one extent

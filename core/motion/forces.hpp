@@ -27,7 +27,7 @@ void add_forces(
     std::span<BodyForce> forces);
 
 /// Starts the count of turns of rotational springs. A free angle within half a turn is an angle of the joint:
-/// the spring is twisted by half a turn at most, whichever way is shorter. A free angle beyond half a turn
+/// the spring is twisted by at most half a turn, in the shorter direction. A free angle beyond half a turn
 /// includes turns: the spring is twisted by the whole difference between it and the angle of the joint in
 /// (-π, π].
 void begin_turns(Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);

@@ -29,11 +29,11 @@ struct RowsVerdict {
     /// between a row and those before it. It falls as (distance)² towards a singular position.
     double smallest_pivot = 1.0;
     double violation = 0.0;  ///< largest |Φ| of the kept rows, each divided by the size of its equation
-    double left_out = 0.0;   ///< the same of the rows left out, where they are evaluated too; else 0
+    double left_out = 0.0;   ///< the same for the rows left out, if they are evaluated too; otherwise 0
 };
 
 /// Pose, velocity and acceleration of a moving body, at its centre of mass and along the global axes, and a
-/// random motion δ that the constraints leave free: all as the equations of motion in use have it.
+/// random motion δ that the constraints leave free: all as computed by the equations of motion in use.
 struct ProbedBody {
     Vec3 r = Vec3::Zero();   ///< [m]
     Vec4 p = Vec4::Unit(0);  ///< set only where a driver prescribes one of e0 ... e3
@@ -52,12 +52,12 @@ struct AccelerationResidual {
     double forces = 0.0;       ///< |δᵀ (M q̈ - Q)| for a free motion δ
     double constraints = 0.0;  ///< largest |Φq (q̈ + δ) - γ|
     double drift = 0.0;        ///< largest |Φ| [extent] and |Φ̇| [speed of the fastest body]
-    int joint = -1;            ///< joint with the largest residual of `constraints`, -1: it is a driver's
+    int joint = -1;            ///< joint with the largest residual of `constraints`; -1: it is of a driver
     int driver = -1;
 };
 
-/// Meaning of the numbers of y: their count and scales, the flat state that they stand for, and what is
-/// interpolated between two of them.
+/// Meaning of the numbers of y: their count and scales, the flat state that they represent, and the numbers
+/// that are interpolated between two states.
 class StateLayout {
 public:
     StateLayout() = default;
@@ -76,8 +76,8 @@ public:
     virtual void to_flat(const double* y, double* flat) const { std::copy_n(y, size(), flat); }
     virtual void from_flat(const double* flat, double* y) const { std::copy_n(flat, size(), y); }
 
-    /// Number of positions, which are what is interpolated between states: r and p of every body unless a
-    /// coordinate choice has others.
+    /// Number of positions, which are interpolated between states: r and p of every body unless a coordinate
+    /// choice has others.
     virtual int interpolated() const { return kPositionsPerBody * bodies(); }
     /// Writes all positions, then their rates, then half their second derivatives.
     virtual void derivatives(const double* y, const double* y_dot, double* out) const {
@@ -97,8 +97,8 @@ class RowSelector : public StateLayout {
 public:
     /// Chooses independent rows at y. @return true if the choice changed
     virtual bool choose_rows(double t, const double* y) = 0;
-    /// Applies the rule for p1 and p2 at y, whatever the pivots are: once a pair has lost its rank, bodies
-    /// may leave the branch without any kept row showing it. @return true if the choice changed
+    /// Applies the rule for p1 and p2 at y, for any pivots: once a pair has lost its rank, bodies may leave
+    /// the branch without any kept row showing it. @return true if the choice changed
     virtual bool follow_rule(double /*t*/, const double* /*y*/) { return false; }
     /// Largest rotation of a body within a step for which the choice of that rule stays valid and turns are
     /// counted correctly [rad].
@@ -117,7 +117,7 @@ public:
     virtual int rows_left_out() const = 0;
 };
 
-/// Interface of all forms of the equations of motion: ẏ = f(t, y), projection, and what the certificate asks.
+/// Interface of all forms of the equations of motion: ẏ = f(t, y), projection, and data for the certificate.
 class MotionEquations : public RowSelector {
 public:
     /// Computes ẏ at y with the current choice of rows.
@@ -144,12 +144,12 @@ public:
     }
 };
 
-/// Largest rotation of a body within a step for which the nearest of all whole turns is the right one [rad]:
-/// samples are taken up to two steps behind, and two bodies that turn against each other stay within half a
-/// turn.
+/// Largest rotation of a body within a step for which the nearest number of whole turns is the right one
+/// [rad]: samples are taken up to two steps behind, and two bodies that turn against each other stay within
+/// half a turn.
 inline constexpr double kCountedTurn = 0.75;
 
-/// Chooses rows at y and keeps the choice only if it has more rows. @return whether it has
+/// Chooses rows at y and keeps the choice only if it has more rows. @return true if it has
 bool raise_rank(MotionEquations& equations, double t, const double* y);
 
 /// Pivot above which a row is surely independent of the rows before it.
@@ -164,8 +164,9 @@ public:
     /// Refines the accelerations of the last `evaluate` by their residual in Φq q̈ = γ: twice the digits near
     /// singular positions.
     virtual void refine(double* y_dot) = 0;
-    /// Computes ẏ of a mechanism whose rows leave nothing open, as `evaluate` and `refine` would, by the
-    /// factorisation of the last `project`: for a pose that it hardly moved, and masses that are not apart.
+    /// Computes ẏ of a mechanism whose rows leave no freedom, as `evaluate` and `refine` would, by the
+    /// factorisation of the last `project`: for a pose that this has hardly moved, and masses that are not
+    /// far apart.
     virtual RowsVerdict evaluate_driven(double t, const double* y, double* y_dot) = 0;
     /// True if light bodies carry heavy ones, so that Φq M⁻¹ Φqᵀ would lose digits; known after
     /// `choose_rows`.

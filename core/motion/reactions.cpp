@@ -17,7 +17,7 @@ namespace {
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 /// Share above which a component takes part in a member of the family: far above the error of a null vector,
-/// which is the error of the state over the smallest singular value.
+/// which is the error of the state divided by the smallest singular value.
 constexpr double kTakesPart = 1e-6;
 
 // accelerations come from factors of Φq M⁻¹ Φqᵀ, whose condition is that of Φq squared
@@ -76,7 +76,7 @@ Reaction reaction_of(const Link& link, const Situation& situation) {
     return out;
 }
 
-/// All links side by side: equilibrium x = M q̈ - Q.
+/// All links together: equilibrium x = M q̈ - Q.
 class Bracing {
 public:
     explicit Bracing(const Situation& situation);

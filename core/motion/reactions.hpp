@@ -39,10 +39,10 @@ struct Reaction {
     bool unique() const;
 };
 
-/// Reactions of a motion. Where rows are redundant, joints can be braced against each other without any
-/// motion. Then `reactions` is the solution with the smallest Σ |f|² + |n|² / ℓ² (ℓ: extent of the
-/// mechanism), which depends neither on the form of the equations nor on the frames, and every solution is
-/// that one plus a combination of `family`.
+/// Reactions of a motion. If rows are redundant, joints can be braced against each other without any motion.
+/// Then `reactions` is the solution with the smallest Σ |f|² + |n|² / ℓ² (ℓ: extent of the mechanism), which
+/// depends neither on the form of the equations nor on the frames, and every solution is this one plus a
+/// combination of `family`.
 struct Reactions {
     std::vector<Reaction> reactions;  ///< of joints, then of drivers; none between two fixed bodies
     /// Orthonormal basis of the reactions that can be added; every member has one wrench per reaction.
@@ -59,8 +59,8 @@ struct Reactions {
     bool holds() const { return residual <= bound; }
 };
 
-/// Computes reactions from the wrenches M q̈ - Q that the joints must exert on every body, however the
-/// accelerations were found.
+/// Computes reactions from the wrenches M q̈ - Q that the joints must exert on every body, independent of how
+/// the accelerations were found.
 /// @param state of the centroidal frames, like the motions; satisfies the constraints at time `t` [s]
 /// @param acceleration r̈ and ω̇' of every body
 Reactions find_reactions(

@@ -59,8 +59,8 @@ void SaddlePoint::solve(const VectorX& f, const VectorX& b, VectorX& x, VectorX&
         right(n + k) = b(row) / scaling_.row(row);
     }
     VectorX solution = lu_.solve(right);
-    // iterative refinement: after the first pass the residual of every row is small relative to the largest
-    // of them, after the second relative to the row itself; masses may be far apart
+    // iterative refinement: after the first pass, the residual of every row is small relative to the largest
+    // of them; after the second, relative to the row itself; masses may be far apart
     solution += lu_.solve(right - whole_ * solution);
     x = scaling_.column.cwiseProduct(solution.head(n));
     lambda.setZero(scaling_.row.size());

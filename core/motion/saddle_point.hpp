@@ -31,12 +31,12 @@ class SaddlePoint {
 public:
     explicit SaddlePoint(Scaling scaling);
 
-    /// Chooses rows by QR with column pivoting: a row counts if its remainder beside those before it is above
-    /// `relative_threshold` of the largest (scaled rows). @return true if the choice changed
+    /// Chooses rows by QR with column pivoting: a row counts if its remainder after removal of earlier rows
+    /// is above `relative_threshold` of the largest (scaled rows). @return true if the choice changed
     bool choose_rows(const MatrixX& jacobian, double relative_threshold);
     /// Kept rows, the most independent first.
     const std::vector<int>& kept() const { return kept_; }
-    /// Restores a choice made before.
+    /// Restores an earlier choice.
     void keep(std::vector<int> rows) { kept_ = std::move(rows); }
 
     /// @param mass [columns x columns], symmetric, positive semidefinite

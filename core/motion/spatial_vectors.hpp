@@ -22,7 +22,7 @@ struct InertiaOf {
     Columns<V> J;
 };
 
-/// Spatial vector as it is stored.
+/// Spatial vector in memory.
 struct Six {
     Triple linear;
     Triple angular;
@@ -39,7 +39,7 @@ struct Six {
     }
 };
 
-/// Inertia of a body or of a branch of the tree as it is stored.
+/// Inertia of a body or of a branch of the tree, in memory.
 struct Inertia6 {
     Triples M;
     Triples H;

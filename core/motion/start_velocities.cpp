@@ -11,12 +11,12 @@ namespace jw {
 namespace {
 
 constexpr Eigen::Index kMostColumns = 300;
-// four typed digits: more than their rounding is another velocity
+// four typed digits: a difference above their rounding is another velocity
 constexpr double kTyped = 1e-4;
-// a given velocity that needs others a million times as fast is not kept: the pose is singular for it
+// a given velocity that requires others a million times as fast is not kept: the pose is singular for it
 constexpr double kFollows = 1e-6;
 
-/// What the given velocities ask of the velocities of a flat state: rows * change = missing.
+/// Conditions of the given velocities on the velocities of a flat state: rows * change = missing.
 struct GivenVelocities {
     MatrixX rows;     ///< [3 x given vectors, 6 x moving bodies]
     VectorX missing;  ///< in extents per second and rad/s
@@ -43,7 +43,7 @@ GivenVelocities given_velocities(
             count += 3;
         }
         if (!body.r_dot.isZero(0.0)) {
-            // of the frame as given: the centre moves by ω × A c in addition
+            // in the frame as given, the centre moves by ω × A c in addition
             const Mat3 by_turning = rotation_matrix(vec4(numbers + 3)) * tilde(scene.centres[at(moving[m])]);
             out.rows.block<3, 3>(count, first) = Mat3::Identity() / length;
             out.rows.block<3, 3>(count, first + 3) = by_turning / length;

@@ -7,10 +7,10 @@
 namespace jw {
 
 /// Changes the velocities of a flat start `y` so that velocities given with a mechanism are kept, if the
-/// constraints allow all of them together to four digits; the others change by as little as possible, in the
-/// metric of M. What is not given is zero. Leaves `y` as it is where the given ones cannot be kept, and in
-/// mechanisms of more than 300 columns, whose free motions would take longer than their motion.
-/// @param given with the velocities, and frames as given
+/// constraints allow all of them together to four digits; the others change as little as possible, in the
+/// metric of M. A velocity that is not given is zero. `y` stays unchanged if the given ones cannot be kept,
+/// and in mechanisms of more than 300 columns, whose free motions would take longer than their motion.
+/// @param given with the velocities, and with frames as given
 /// @param scene the same mechanism, centroidal
 /// @param y satisfies the constraints, and its velocities are the nearest to all given ones, zeros included
 void keep_given_velocities(

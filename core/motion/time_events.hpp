@@ -4,15 +4,14 @@
 
 #include "core/motion/loads.hpp"
 
-/// Bounds on adaptive steps from the functions of time of a scene: stages see nothing of what lies between
-/// them.
+/// Bounds on adaptive steps from the functions of time of a scene: stages do not see what lies between them.
 namespace jw {
 
 /// Times between 0 and `end` at which a driver or a load starts or stops changing, ascending, then `end` [s].
 std::vector<double> events_until(double end, const Centroidal& scene);
 
-/// Half the period of the fastest harmonic [s], infinite if there is none: the stages of a longer step might
-/// all see the same phase of it.
+/// Half the period of the fastest harmonic [s], infinite if there is none: in a longer step, all stages might
+/// see the same phase of it.
 double half_of_fastest_swing(const Centroidal& scene);
 
 }  // namespace jw

@@ -20,7 +20,7 @@ std::from_chars_result read_decimal_by_strtod(const char* first, const char* las
     const auto is_skipped = [](char c) {
         return c == ' ' || (c >= '\t' && c <= '\r') || c == '+' || c == '-';
     };
-    // strtod takes what from_chars does not: space, signs and hexadecimal digits
+    // strtod accepts characters that from_chars does not: space, signs and hexadecimal digits
     if (digits == last || is_skipped(*digits)) { return {first, std::errc::invalid_argument}; }
     std::string text(first, last);
     text.resize(std::min(text.size(), text.find_first_of("xX")));

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-/// Symmetric matrices in envelope (skyline) storage: of every row the numbers from its first nonzero to the
-/// diagonal are stored, and no others become nonzero in L D Lᵀ. Suits rows of loops that couple to their
-/// neighbours only.
+/// Symmetric matrices in envelope (skyline) storage: of every row, the numbers from its first nonzero to the
+/// diagonal are stored; no other number becomes nonzero in L D Lᵀ. Suitable for rows of loops that couple
+/// only to their neighbours.
 namespace jw {
 
 class EnvelopeMatrix {

@@ -17,7 +17,7 @@ using Mat34 = Eigen::Matrix<double, 3, 4>;
 using VectorX = Eigen::VectorXd;
 using MatrixX = Eigen::MatrixXd;
 
-/// Place in a standard container of what is counted in int or Eigen::Index.
+/// Index into a standard container from an int or Eigen::Index.
 inline std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
 
 /// ã: the 3x3 skew matrix with ã v = a x v.
@@ -43,8 +43,8 @@ inline Mat4 bar(const Vec3& s_local) {
     return m;
 }
 
-/// A unit vector perpendicular to `a`, always the same one for the same direction.
-/// Crossing with the axis that `a` is least along keeps the result at least 0.8 |a| before normalising.
+/// A unit vector perpendicular to `a`, always the same one for the same direction. The cross product with the
+/// axis along which `a` is smallest has a length of at least 0.8 |a| before it is normalised.
 inline Vec3 perpendicular_to(const Vec3& a) {
     Eigen::Index least = 0;
     a.cwiseAbs().minCoeff(&least);

@@ -26,8 +26,8 @@ const std::array kCosine{4.16666666666666019037e-02, -1.38888888888741095749e-03
                          2.48015872894767294178e-05, -2.75573143513906633035e-07,
                          2.08757232129817482790e-09, -1.13596475577881948265e-11};
 
-/// Sine and cosine of as many angles as a register holds: those of the remainder modulo a quarter turn, then
-/// the right one of the two with the right sign.
+/// Sine and cosine of as many angles as a register holds: first those of the remainder modulo a quarter turn,
+/// then the right one of the two with the right sign.
 template <Lanes V>
 JW_INLINE void find(const double* angle, double* cosine, double* sine) {
     using Register = typename V::Register;

@@ -4,8 +4,9 @@
 
 #include "core/numerics/triples.hpp"
 
-/// Sines and cosines of many angles at once, with bit-identical results on every machine. One after the other
-/// they were a sixth of an evaluation in joint coordinates; those of core/elementary have half the error.
+/// Sines and cosines of many angles at once, with bit-identical results on every machine. Computed one by
+/// one, they took a sixth of an evaluation in joint coordinates; those of core/elementary have half the
+/// error.
 namespace jw {
 
 /// Four angles [rad] with their cosines and sines.
@@ -15,7 +16,7 @@ struct alignas(32) FourTurns {
     double sine[4] = {0.0, 0.0, 0.0, 0.0};
 };
 
-/// Sets `cosine` and `sine` with an error of at most 1.2e-16; beyond 1.6e6 rad by core/elementary.
+/// Sets `cosine` and `sine` with an error of at most 1.2e-16; uses core/elementary beyond 1.6e6 rad.
 void find_sines_and_cosines(std::span<FourTurns> turns, Registers registers);
 
 }  // namespace jw

@@ -72,7 +72,7 @@ void SparseQr::compute(const SparseRows& rows, const VectorX& row, const VectorX
     left_over_ = std::sqrt(left_over_);
 }
 
-/// Gathers the lines of a front: its own unknowns, then those that its children could not eliminate.
+/// Collects the lines of a front: its own unknowns, then those that its children could not eliminate.
 void SparseQr::gather(const SparseRows& rows, const VectorX& row, const VectorX& column, std::size_t f) {
     const SparseQrStructure::Front& front = structure_.fronts()[f];
     Numbers& numbers = numbers_[f];
@@ -111,7 +111,7 @@ void SparseQr::gather(const SparseRows& rows, const VectorX& row, const VectorX&
     numbers.lines = static_cast<int>(numbers.slots.size());
 }
 
-/// Reflects column `column` from `line` on to a single number, and applies the reflection to the columns up
+/// Reflects column `column`, from `line` on, to a single number, and applies the reflection to the columns up
 /// to `columns`.
 void SparseQr::reflect(std::size_t f, int column, int line, int columns) {
     Numbers& numbers = numbers_[f];
@@ -225,8 +225,8 @@ void SparseQr::multiply_by_q_transposed(VectorX& y) const {
     }
 }
 
-/// ‖R_P⁻¹‖_F from the diagonal of (R_Pᵀ R_P)⁻¹, from the last front to the first: of this inverse a front
-/// needs only the part on its own later columns, which its parent has.
+/// ‖R_P⁻¹‖_F from the diagonal of (R_Pᵀ R_P)⁻¹, from the last front to the first: a front needs only the part
+/// of this inverse on its own later columns, which its parent has.
 /// @source Erisman and Tinney, "On computing certain elements of the inverse of a sparse matrix" (1975)
 double SparseQr::inverse_norm() const {
     std::vector<MatrixX> inverse(numbers_.size());

@@ -53,8 +53,8 @@ private:
     std::vector<Front> fronts_;
 };
 
-/// Numerical factorisation of D⁻¹ Φq S with row sizes D and column sizes S. Rows whose remainder beside the
-/// rows eliminated before is below a threshold are left out as redundant.
+/// Numerical factorisation of D⁻¹ Φq S with row sizes D and column sizes S. Rows are left out as redundant if
+/// their remainder after removal of earlier rows is below a threshold.
 ///
 /// With P the independent rows and R the others, Φqᵀ = Q [R_P R_R; 0 E], where E, the remainder of the rows
 /// R, is neglected: σ_(r+1) ≤ ‖E‖_F and σ_r ≥ 1 / ‖R_P⁻¹‖_F.
@@ -90,7 +90,7 @@ public:
     /// Multiply by Q and Qᵀ in place; the numbers of independent rows are at `slot_of`.
     void multiply_by_q(VectorX& y) const;
     void multiply_by_q_transposed(VectorX& y) const;
-    /// Index among the columns of the number of an independent row.
+    /// Index, among the columns, of the number of an independent row.
     int slot_of(int row) const { return slot_of_row_[static_cast<std::size_t>(row)]; }
 
 private:

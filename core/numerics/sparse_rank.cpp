@@ -12,10 +12,11 @@ namespace jw {
 
 namespace {
 
-// relative to the largest coefficient, as in rank.cpp: the next one where the terms left out are felt
+// relative to the largest coefficient, as in rank.cpp; the next one is used if omitting the terms has an
+// effect
 constexpr std::array kNegligibleTerms{1e-9, 1e-12, 0.0};
-// iterations: for the largest value to a per cent, and to distinguish the smallest ones by a factor of a
-// thousand
+// iterations: enough for the largest value to a per cent, and to distinguish the smallest ones by a factor of
+// a thousand
 constexpr int kPowerSteps = 30;
 constexpr int kInverseSteps = 20;
 // backward error of reflections: a few roundings per column, in fronts of some tens of columns
@@ -88,7 +89,7 @@ SparseCombination combination_of(
             rows.rows[at(repeating)], [&](int c, double value) { difference(c) -= value / row(repeating); });
         return difference.cwiseProduct(column).norm();
     };
-    // a left null vector of this length leaves no more than σ_(r+1) times it
+    // a left null vector of this length leaves at most σ_(r+1) times its length
     const double bound = next_at_most * std::sqrt(1.0 + v.squaredNorm());
     const double size = v.cwiseAbs().maxCoeff();
     VectorX terms;
@@ -139,7 +140,7 @@ SparseRank sparse_rank_of(
     result.repeating = qr.repeating();
     std::ranges::sort(result.repeating);
     for (const int repeating : result.repeating) {
-        // a row that is rounding only reads 0 = 0 and depends on no other
+        // a row that is only rounding means 0 = 0 and does not depend on others
         if (result.rank == 0 || scaled_size(rows, row, column, repeating) <= result.threshold) {
             result.combinations.push_back({repeating, {}, {}});
         } else {

@@ -34,7 +34,7 @@ struct SparseRank {
 };
 
 /// @param group_of_row rows that stay together when dependence is determined, ascending from 0: a later group
-///        depends on earlier ones, and in a group the row with the largest remainder comes first
+/// depends on earlier ones, and within a group the row with the largest remainder comes first
 /// @param relative_threshold threshold divided by max(1, σ_1)
 SparseRank sparse_rank_of(
     const SparseRows& rows, const VectorX& row, const VectorX& column, std::vector<int> group_of_row,

@@ -6,7 +6,7 @@
 #include "core/numerics/linear.hpp"
 
 /// Sparse storage of Φq: every row involves the columns of at most two bodies and one artificial coordinate,
-/// so that m rows are m small records, whatever the number of columns.
+/// so that m rows are m small records for any number of columns.
 namespace jw {
 
 /// Row of Φq.

@@ -31,16 +31,16 @@ struct Svd {
 };
 
 /// Computes the decomposition by one-sided Jacobi after two QR decompositions, the first with column
-/// pivoting. High relative accuracy: with the columns (m >= n; else the rows) of A scaled to unit length, the
-/// relative error of every singular value is rounding times the condition of the scaled matrix, however
-/// different the lengths were. Scaling is by powers of two only; one thread, no library of the machine, so
+/// pivoting. High relative accuracy: if the columns (m >= n; otherwise the rows) of A are scaled to unit
+/// length, the relative error of every singular value is rounding times the condition of the scaled matrix,
+/// for any original lengths. Scaling is by powers of two only; one thread, no library of the machine, so
 /// results are bit-identical everywhere.
 /// @source Drmac and Veselic, New fast and accurate Jacobi SVD algorithm, SIAM J. Matrix Anal. Appl. 29
 ///         (2008), algorithms 1 and 2; the algorithm of LAPACK's dgejsv
 Svd svd_of(const MatrixX& matrix);
 
-/// Measures misfit, orthogonality, norm defect and error of `svd`, wherever its U, σ and V come from, and
-/// sets `sound`; svd_of has called it.
+/// Measures misfit, orthogonality, norm defect and error of `svd`, independent of how its U, σ and V were
+/// found, and sets `sound`; svd_of has called it.
 void check_svd(const MatrixX& matrix, Svd& svd);
 
 }  // namespace jw

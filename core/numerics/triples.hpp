@@ -22,7 +22,7 @@
 /// fused multiply-add, so results are bit-identical on every machine.
 namespace jw {
 
-/// Always inlined, whatever the size: the caller determines the registers that a function computes in.
+/// Always inlined, for any size: the caller determines the registers that a function computes in.
 #define JW_INLINE [[gnu::always_inline]] inline
 #define JW_PASS __attribute__((always_inline))  // for lambdas
 
@@ -232,8 +232,8 @@ inline Mat3 mat3(const Triples& m) {
 /// Registers that a pass computes in; both give the same numbers to the last bit.
 enum class Registers { narrow, wide };
 
-/// The widest registers that this processor has. Where glibc is asked to do without wide ones
-/// (GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2), so are we: tests compare the two.
+/// The widest registers that this processor has. If glibc is told not to use wide ones
+/// (GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2), this program does not use them either: tests compare the two.
 inline Registers widest_registers() {
 #if defined(__x86_64__)
 #if __has_include(<sys/platform/x86.h>)
@@ -255,7 +255,7 @@ template <class Pass>
 #endif
 
 /// Runs a pass in `registers`, which this processor must have. The pass must be JW_PASS, and every function
-/// that it passes registers to JW_INLINE.
+/// to which it passes registers must be JW_INLINE.
 /// @param pass called with std::type_identity of Wide or Narrow
 template <class Pass>
 void in_registers(Registers registers, const Pass& pass) {

@@ -3,8 +3,8 @@
 #include <type_traits>
 #include <variant>
 
-/// Visiting of variants with one function per alternative: the compiler names every place that forgot a new
-/// one.
+/// Visits variants with one function per alternative: the compiler reports every place that lacks a new
+/// alternative.
 namespace jw {
 
 /// Overload set of lambdas for std::visit.
@@ -12,7 +12,7 @@ template <class... Ts>
 struct Overloaded : Ts... {
     using Ts::operator()...;
 };
-// clang before version 17 does not find this by itself
+// clang before version 17 does not deduce this
 template <class... Ts>
 Overloaded(Ts...) -> Overloaded<Ts...>;
 

@@ -14,7 +14,7 @@ namespace {
 // a start pose does not determine the side if its side vectors are less than 6 deg from the plane that
 // separates the sides
 constexpr double kClearSide = 0.1;
-// a lesson's numbers may close to 1e-7 only; the pair kept by the rule passes on twice that
+// a lesson's numbers may close only to 1e-7; the pair kept by the rule passes on twice that
 constexpr double kHolds = 1e-6;
 
 const Joint& joint_of(const System& system, const Constraint& c) {

@@ -5,9 +5,9 @@
 
 #include "core/equations/system.hpp"
 
-/// Wrong branches. Φ = 0 is not the whole specification: p1 is satisfied by anti-parallel vectors, the n1 of
-/// a weld or a prismatic joint by half a turn, the angle row of a screw by θ + π. Such solutions are detected
-/// and left here.
+/// Wrong branches. Φ = 0 does not specify everything: p1 is also satisfied by anti-parallel vectors, the n1
+/// of a weld or a prismatic joint by half a turn, the angle row of a screw by θ + π. Such solutions are
+/// detected and left here.
 namespace jw {
 
 /// Constraint that is satisfied on the wrong branch.
@@ -23,8 +23,8 @@ struct WrongBranch {
 std::vector<int> intended_sides(const System& system);
 
 /// First constraint that is satisfied on the wrong branch at `state`. A joint whose axes are not held
-/// together, because equations were removed by hand, has one branch only: what looks wrong there can be
-/// reached by moving.
+/// together, because equations were removed by hand, has only one branch: a pose that looks wrong there can
+/// be reached by moving.
 /// @param sides from `intended_sides`
 std::optional<WrongBranch> find_wrong_branch(
     const System& system, const State& state, const std::vector<int>& sides);
@@ -34,21 +34,21 @@ std::optional<WrongBranch> find_wrong_branch(
 /// checked.
 bool left_out_rows_hold(const System& system, const State& state);
 
-/// True if a state is on no wrong branch and the dropped rows hold.
+/// True if a state is not on a wrong branch and the dropped rows hold.
 bool is_meant(const System& system, const State& state, const std::vector<int>& sides);
 
 /// Turns a body (or θ) by half a turn about the joint, so that Newton's method starts near the right branch.
 void leave_branch(const System& system, const WrongBranch& wrong, State& state);
 
-/// Largest part of a change in columns of (r, ω') and θ: displacements divided by `length`, rotations and θ
-/// as they are.
+/// Largest part of a change in columns of (r, ω') and θ: displacements are divided by `length`, rotations and
+/// θ are unchanged.
 double largest_part(const System& system, const VectorX& columns, double length);
 
 /// Largest movement of a body between two states, in the scene's unit of length and rad.
 double movement(const System& system, const State& from, const State& to);
 
-/// True if Newton's correction of a prediction along the tangent is small compared with the whole step:
-/// beyond a third of it prediction and solution are on different curves.
+/// True if Newton's correction of a prediction along the tangent is small compared with the whole step: if it
+/// is more than a third, prediction and solution are on different curves.
 /// @param step, correction movements in the scene's unit of length and rad; without movement the result is
 ///        true
 bool is_on_tangent(double step, double correction);

@@ -18,13 +18,13 @@ constexpr int kStepsAcross = 10;   // descent across a valley: quadratic from th
 constexpr double kDifference = 1e-5;
 // each Newton step costs two gradients per column and an eigenvalue problem
 constexpr Eigen::Index kMostColumns = 200;
-constexpr double kShortest = 1e-6;  // share of a step; where even that gives no decrease, nothing does
-constexpr int kRounds = 3;  // rounds of damped and Newton steps: where one stops early the other continues
-constexpr double kFlat = 1e-12;    // relative to ‖φ‖: rounding of the gradient
+constexpr double kShortest = 1e-6;  // share of a step; if even this gives no decrease, no step does
+constexpr int kRounds = 3;       // rounds of damped and Newton steps: if one stops early, the other continues
+constexpr double kFlat = 1e-12;  // relative to ‖φ‖: rounding of the gradient
 constexpr double kSettled = 1e-6;  // relative to ‖φ‖: far below the gradient that counts as a closest fit
-// relative to the largest: along a smaller curvature nothing is gained; along less than a valley's there is
-// next to nothing, since the gap of a loop hardly depends on the position of the loop, and every step along
-// the valley climbs its walls a little
+// relative to the largest: along a smaller curvature, nothing is gained. Below the curvature of a valley,
+// almost nothing is gained, since the gap of a loop hardly depends on the position of the loop, and every
+// step along the valley climbs its walls a little
 constexpr double kFlatCurvature = 1e-9;
 constexpr double kValley = 1e-4;
 
@@ -65,8 +65,8 @@ MatrixX curvature_at(ScaledEquations& equations, const State& state) {
     return (curvature + curvature.transpose()) / (4.0 * kDifference);
 }
 
-/// Newton's method on the gradient: with the curvature of Φ it continues where damped steps creep. Directions
-/// of negative curvature are followed downhill.
+/// Newton's method on the gradient: with the curvature of Φ, it continues where damped steps become very
+/// short. Directions of negative curvature are followed downhill.
 /// @param flat curvature relative to the largest below which no step is taken
 State polished(ScaledEquations& equations, State state, int steps, double flat) {
     equations.look(state);

@@ -3,7 +3,7 @@
 #include "core/equations/assembler.hpp"
 #include "core/poses/least_squares.hpp"
 
-/// Pose with the smallest residual, where no pose satisfies the equations.
+/// Pose with the smallest residual, for equations that no pose satisfies.
 namespace jw {
 
 /// Φ and Φq in the scene's units, as functions of the state, with optional weights of the rows.
@@ -11,8 +11,8 @@ class ScaledEquations {
 public:
     ScaledEquations(const System& system, double t)
         : assembler_(system), scaling_(scaling_of<OmegaLocal>(system)), t_(t) {}
-    /// @param weights one per row; an equation of weight 100 is satisfied a hundred times as well where not
-    ///        all can be
+    /// @param weights one per row; if not all equations can be satisfied, one of weight 100 is satisfied a
+    /// hundred times as well
     ScaledEquations(const System& system, double t, const VectorX& weights) : ScaledEquations(system, t) {
         if (weights.size() > 0) { scaling_.row = scaling_.row.cwiseQuotient(weights).eval(); }
     }
@@ -39,8 +39,8 @@ private:
     double t_;
 };
 
-/// Minimises ‖Φ‖, scaled and weighted, from `state`: damped steps (Levenberg-Marquardt), then, since these
-/// creep where the equations contradict each other, Newton's method on the gradient.
+/// Minimises ‖Φ‖, scaled and weighted, from `state`: damped steps (Levenberg-Marquardt); then Newton's method
+/// on the gradient, since damped steps become very short where the equations contradict each other.
 /// @param weights if empty, all rows have weight 1
 State closest_fit(const System& system, State state, double t, const VectorX& weights = {});
 

@@ -12,15 +12,15 @@ namespace jw {
 
 namespace {
 
-// weight of all other equations: they are satisfied so much better that four digits of the last one's gap are
-// its own
+// weight of all other equations: they are satisfied so much better that the last one's gap is its own to four
+// digits
 constexpr double kWeightOfOthers = 300.0;
 // share of the largest residual at the closest fit: joints with a smaller one are not involved
 constexpr double kShares = 0.02;
-// every omission costs a solve
+// every omission requires a solve
 constexpr std::size_t kMostTried = 64;
 
-/// Subsystems, solved one by one.
+/// Subsystems that are solved one by one.
 class Parts {
 public:
     Parts(const System& whole, const State& start, double t) : whole_(&whole), start_(&start), t_(t) {}
@@ -43,8 +43,8 @@ private:
     double t_;
 };
 
-/// First entry of `all` that does not close together with those before it; -1 if there is none.
-/// @param with the selection of the first n of them
+/// First entry of `all` that does not close together with the earlier ones; -1 if there is none.
+/// @param with  gives the selection of the first n of them
 template <class With>
 int first_that_fails(const Parts& parts, const std::vector<int>& all, const With& with) {
     if (all.size() > kMostTried) { return -1; }
@@ -60,7 +60,7 @@ std::vector<int> first_of(const std::vector<int>& all, std::size_t count) {
     return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-/// Pose at which all rows except those marked hold.
+/// Pose at which all rows hold except those marked.
 template <class IsLast>
 State fit_of_others(const System& system, const State& fit, double t, const IsLast& is_last) {
     VectorX weights(system.rows());
@@ -85,7 +85,7 @@ double gap_of(const System& system, const Constraint& c, const State& state) {
     return std::abs(length_of(values(0) + g.length * g.length) - g.length);
 }
 
-/// Joints that share the largest residual at the closest fit, with `last` as the last of them.
+/// Joints that share the largest residual at the closest fit; `last` comes last.
 std::vector<int> joints_that_share(const System& system, const State& fit, double t, int last) {
     ScaledEquations equations(system, t);
     equations.look(fit);

@@ -8,13 +8,13 @@
 /// Search for joints or drivers that contradict each other, by leaving some of them out.
 namespace jw {
 
-/// Joints or drivers that cannot be satisfied together, and by how much the last one misses.
+/// Joints or drivers that cannot be satisfied together, and the gap of the last one.
 struct Contradiction {
     /// Joints that share the gap at the closest fit; the last of them is the one that cannot be added to the
     /// others. Empty where drivers are the cause.
     std::vector<int> joints;
-    /// Drivers of which all but any one can be followed; a single driver leads where the joints cannot
-    /// follow.
+    /// Drivers that can be followed together if any one of them is left out; a single driver leads to a place
+    /// where the joints cannot follow.
     std::vector<int> drivers;
     /// Primitive of the last joint with the largest residual if all other equations hold.
     Role role = Role::same_point;
@@ -25,9 +25,9 @@ struct Contradiction {
     double found = 0.0;
 };
 
-/// @param start a pose from which the equations could be solved but for the contradiction
+/// @param start a pose from which the equations could be solved without the contradiction
 /// @param fit   the closest fit of all equations of `system`
-/// @return nothing if no subsystem could be found that fails by itself
+/// @return nothing if no subsystem was found that fails by itself
 std::optional<Contradiction> find_contradiction(
     const System& system, const State& start, const State& fit, double t);
 

@@ -12,7 +12,7 @@ namespace jw {
 
 namespace {
 
-// the second changes what the first has left of rounding, if anything
+// the second one changes at most the rounding that the first has left
 constexpr int kRefinements = 2;
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
@@ -56,8 +56,8 @@ VectorX dense_damped_step(
     return stacked.householderQr().solve(right_side_of(phi, n)).cwiseProduct(scaling.column);
 }
 
-// With s = √(λ m) the minimum has [s I, J; Jᵀ, -s I] [y; Δ] = [-Φ; 0]. Of such matrices LDLᵀ exists in any
-// order of the unknowns, and their condition is about ‖J‖ / s, which is not squared.
+// With s = √(λ m), the minimum satisfies [s I, J; Jᵀ, -s I] [y; Δ] = [-Φ; 0]. Such matrices have an LDLᵀ in
+// any order of the unknowns, and their condition is about ‖J‖ / s, which is not squared.
 VectorX sparse_damped_step(
     const SparseRows& jacobian, const Scaling& scaling, const VectorX& phi, double damping) {
     const Eigen::Index n = jacobian.columns;
@@ -74,7 +74,7 @@ VectorX sparse_damped_step(
 
     const VectorX right_side = right_side_of(phi, n);
     VectorX solution = factors.solve(right_side);
-    // takes back the growth of rounding that pivots in their order of sparsity may bring
+    // removes the growth of rounding that pivoting in the order of sparsity may cause
     for (int k = 0; k < kRefinements; ++k) {
         const VectorX rest = right_side - lower.selfadjointView<Eigen::Lower>() * solution;
         solution += factors.solve(rest);

@@ -14,15 +14,15 @@ namespace jw {
 namespace {
 
 constexpr double kFlatGradient = 1e-5;  // relative to |Φq||Φ|: the residual cannot be reduced further
-// directions below this share of the largest singular value count as lost where the residual is as large: a
-// loop that misses by its typed digits slides along them without end
+// directions below this share of the largest singular value count as lost if the residual is as large: a loop
+// that misses by its typed digits slides along them without end
 constexpr double kLargestSlack = 1e-3;
 constexpr double kLostSingularValue = 1e-6;  // relative to the largest, at the closest fit
-// where the gradient vanishes at a maximum or a saddle point (parallel arms of a universal joint, a rod
-// without length), a perturbation of this size [scene's unit, rad] lets the descent continue; a closest fit
-// is returned to
+// if the gradient vanishes at a maximum or a saddle point (parallel arms of a universal joint, a rod without
+// length), a perturbation of this size [scene's unit, rad] lets the descent continue; from a closest fit, the
+// descent comes back
 constexpr double kPush = 1e-2;
-constexpr double kClearlyLower = 0.9;  // of ‖Φ‖: far from the digits in which two fits differ
+constexpr double kClearlyLower = 0.9;  // of ‖Φ‖: far beyond the digits in which two fits differ
 
 struct Fit {
     State state;
@@ -49,7 +49,7 @@ Fit fit_at(const System& system, State state, double t) {
     const VectorX gradient =
         (sigma.array() > slack * sigma(0)).select(sigma.cwiseProduct(svd.U.transpose() * fit.phi), 0.0);
     fit.flatness = gradient.norm() / std::max(sigma(0) * fit.phi.norm(), 1e-300);
-    // smallest of those that should not vanish: apart from redundancy, the last ratio above rounding
+    // smallest value of those that should not vanish: without redundancy, the last ratio above rounding
     for (const double s : sigma) {
         if (s > 1e-12 * sigma(0)) { fit.smallest_singular_value = s / sigma(0); }
     }
@@ -63,11 +63,11 @@ Fit closest_fit_from(const System& system, const State& start, const State& reac
 
 /// True if the fit improves after a perturbation: then it was not a closest fit.
 bool gives_way(const System& system, const Fit& fit, double t) {
-    // at a maximum the residual has the size of the parts; a smaller one comes from typed digits
+    // at a maximum, the residual has the size of the parts; a smaller residual comes from typed digits
     if (fit.phi.cwiseAbs().maxCoeff() < kLargestSlack) { return false; }
     ScaledEquations equations(system, t);
     VectorX push(Layout<OmegaLocal>(system).columns());
-    // no two entries are equal, so that no symmetry of the scene survives
+    // no two entries are equal, so that the perturbation breaks every symmetry of the scene
     for (Eigen::Index k = 0; k < push.size(); ++k) {
         push(k) = kPush * elementary::cos(1.0 + 2.4 * static_cast<double>(k));
     }

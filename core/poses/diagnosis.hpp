@@ -5,7 +5,7 @@
 #include "core/poses/branches.hpp"
 #include "core/poses/contradiction.hpp"
 
-/// Diagnosis of a position that could not be found, beyond what Newton-Raphson itself reports.
+/// Diagnosis of a position that could not be found, beyond what Newton-Raphson reports.
 namespace jw {
 
 /// Cause of a failure of position analysis.
@@ -13,9 +13,9 @@ enum class FailureCause {
     cannot_close,   ///< the equations contradict each other: a closest fit was found, and it is not zero
     wrong_branch,   ///< only solutions with anti-parallel axes or half-turned sides were found
     singular,       ///< the iteration ended at a pose where independent equations are lost
-    turning_point,  ///< it is proved that the motion turns back, at `t`: no pose of this branch lies beyond
+    turning_point,  ///< it is proved that the motion turns back at `t`: no pose of this branch lies beyond
     likely_turning_point,  ///< the same, not proved
-    undecided,       ///< branches come so near to each other at `t` that rounding hides which one leads on
+    undecided,       ///< branches are so near to each other at `t` that rounding hides which one continues
     no_convergence,  ///< none of the above could be shown
 };
 
@@ -29,8 +29,7 @@ struct PositionFailure {
     int iterations = 0;
     std::optional<WrongBranch> branch;
     double t = 0.0;  ///< time for which the position was sought [s]
-    std::optional<Contradiction> contradiction =
-        std::nullopt;  ///< contradicting parts, where they could be found
+    std::optional<Contradiction> contradiction = std::nullopt;  ///< contradicting parts, if they were found
 };
 
 /// Diagnoses a Newton run from `start` that ended at `reached` without converging: whether that state, or the

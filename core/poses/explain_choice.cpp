@@ -22,7 +22,7 @@ double condition_of_rows(const MatrixX& rows) {
     return sigma(0) / sigma(directions - 1);
 }
 
-/// Leaves the two bodies of the only joint: the conditions of its rows need no others.
+/// Keeps only the two bodies of the joint: the conditions of its rows do not need others.
 void keep_bodies_of_joint(Mechanism& alone, State& state) {
     Joint& joint = alone.joints.front();
     const auto i = at(joint.body_i);

@@ -13,9 +13,9 @@ namespace jw {
 namespace {
 
 constexpr double kRounding = 1e-15;  // as in rank.cpp
-// up to ten bodies singular values are as soon there as sparse factors
+// up to ten bodies, singular values are computed as fast as sparse factors
 constexpr int kMostDenseColumnsOfVerdict = 60;
-// the squares of singular values lose twice their digits: 1e-16 · condition² of the last one
+// squares of singular values lose twice as many digits: 1e-16 · condition² of the last one
 constexpr double kMostConditionOfSquares = 1e4;
 
 /// Groups for dependence: the rows of one joint, or of one driver, stay together.

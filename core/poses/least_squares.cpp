@@ -78,7 +78,7 @@ double LeastSquares::relative_pivot(int k) const {
 
 int LeastSquares::rank(double relative_threshold) const {
     if (sparse_) {
-        // another threshold changes the choice of rows only if it counts other pivots
+        // another threshold changes the choice of rows only if other pivots count
         const auto above = [&](double threshold) {
             return std::ranges::count_if(pivots_, [&](double pivot) { return pivot > threshold; });
         };
@@ -195,7 +195,7 @@ void LeastSquares::factor_sparsely(double threshold) const {
     std::ranges::sort(pivots_, std::greater<>());
 }
 
-/// Factors again where a caller counts fewer or more rows than the present factors.
+/// Factors again if a caller counts fewer or more rows than the present factors.
 void LeastSquares::reach_rank(int rank) const {
     if (sparse_->rank() == rank || rank > static_cast<int>(pivots_.size())) { return; }
     factor_sparsely(rank < static_cast<int>(pivots_.size()) ? pivots_[at(rank)] : 0.0);
@@ -212,8 +212,8 @@ void LeastSquares::solve_sparsely(const VectorX& b, VectorX& x) {
 }
 
 /// Distributes the contradiction of redundant rows. As in the dense case, [I; W] z = [c1; c2] in least
-/// squares, z = c1 + Wᵀ (I + W Wᵀ)⁻¹ (c2 - W c1), where the inverse is applied by conjugate gradients: W is
-/// known by its products only. Rows that do not contradict the others leave c1 unchanged.
+/// squares, z = c1 + Wᵀ (I + W Wᵀ)⁻¹ (c2 - W c1), where the inverse is applied by conjugate gradients: only
+/// products with W are known. Rows that do not contradict the others leave c1 unchanged.
 void LeastSquares::spread_inconsistency(VectorX& c) {
     const std::vector<int>& repeating = sparse_->repeating();
     if (repeating.empty()) { return; }

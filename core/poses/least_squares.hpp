@@ -21,13 +21,13 @@ template <class C>
 Scaling scaling_of(const System& system, bool normalisation_rows = true);
 
 /// Number of columns (ten bodies) up to which a dense factorisation is as fast as a sparse one, and pivots
-/// over all rows.
+/// are chosen among all rows.
 inline constexpr int kMostDenseColumns = 60;
 
 /// Solver by Φqᵀ P = Q R with column pivoting, which picks the independent equations first; the others are W
 /// times those. Works in place after the first use: nothing is allocated while the size stays the same. Above
-/// kMostDenseColumns columns the factors are sparse (numerics/sparse_qr.hpp): pivots are then chosen within a
-/// joint, and work grows with the bodies instead of their cube.
+/// kMostDenseColumns columns, the factors are sparse (numerics/sparse_qr.hpp): pivots are then chosen within
+/// a joint, and work grows with the bodies instead of their cube.
 class LeastSquares {
 public:
     explicit LeastSquares(Scaling scaling);
@@ -36,7 +36,7 @@ public:
     void compute(const SparseRows& jacobian);
     bool is_sparse() const { return sparse_ != nullptr; }
 
-    /// Number of equations whose remainder beside those before them is above `relative_threshold` of the
+    /// Number of equations whose remainder after removal of earlier ones is above `relative_threshold` of the
     /// largest.
     int rank(double relative_threshold) const;
 

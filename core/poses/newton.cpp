@@ -15,18 +15,18 @@ constexpr double kNewtonThreshold = 1e-9;
 constexpr double kLargestThreshold = 1e-2;
 // a truncated step is taken if it is predicted to remove nine tenths of the residual
 constexpr double kPromisedRest = 0.1;
-// near the solution a good step increases residuals by a small factor at most; a step along directions that
-// are independent by rounding only increases them from 1e-8, say, to the size of the machine
+// near the solution, a good step increases residuals by at most a small factor; a step along directions that
+// are independent only by rounding increases them, for example, from 1e-8 to the size of the machine
 constexpr double kNear = 1e-3;
 constexpr double kLargestGrowth = 10.0;
 // an iteration that still removes a tenth of the residual has not stalled: where branches cross, residuals
 // fall to a quarter per step, but by half only while one part of the error takes over from another
 constexpr double kStalled = 0.9;
-// Armijo's condition: a ten-thousandth of the decrease that the tangent predicts is sufficient, and above
-// rounding; where a millionth of the step gives no decrease, the direction leads nowhere
+// Armijo's condition: a ten-thousandth of the decrease that the tangent predicts is sufficient, and is above
+// rounding; if a millionth of the step gives no decrease, no step in this direction does
 constexpr double kSufficient = 1e-4;
 constexpr double kSmallestFraction = 1e-6;
-// where the rank changes for so many iterations, rounding counts as equations
+// if the rank changes for so many iterations, rounding counts as equations
 constexpr int kLastReach = 20;
 
 double largest_coordinate(const State& state) {
@@ -136,7 +136,7 @@ int NewtonStepper<C>::solve_for_delta(double residual) {
     const double now = right_side_.cwiseQuotient(scaling_.row).norm();
     if (rest <= kPromisedRest * now) { return tied_rank; }
 
-    // else use all independent rows (near a singular position), unless the step is large: in a loop that
+    // otherwise use all independent rows (near a singular position), unless the step is large: in a loop that
     // closes only to its typed digits, such a step is rounding divided by rounding
     truncated_delta_ = delta_;
     least_squares_.solve(right_side_, full_rank, delta_);
@@ -155,11 +155,12 @@ NewtonStep NewtonStepper<C>::step() {
         finish(step, true, false);
         return step;
     }
-    // equations of a small part of the scene enter last, and their first step may well increase the residual
+    // equations of a small part of the scene are included last, and their first step may increase the
+    // residual
     const bool stalled = iteration_ > 0 && !reached_further_ && step.residual > kStalled * previous_residual_;
     if (stalled && step.residual <= kFloorTolerance) {
         step.converged = true;
-        // within a factor of a hundred, the arithmetic itself is the limit (long chains, many rows)
+        // within a factor of a hundred, the limit is the arithmetic (long chains, many rows)
         finish(step, true, step.residual > 100.0 * tolerance_);
         return step;
     }

@@ -9,12 +9,12 @@
 /// Newton-Raphson method of slide 23: the stepper does one iteration at a time, a solve is a loop over it.
 namespace jw {
 
-/// Largest rotation of a body in one iteration [rad]; beyond, Newton cannot be trusted: minimum-norm steps
-/// are erratic from 66.8 deg of misalignment on (docs/notation.md).
+/// Largest rotation of a body in one iteration [rad]; beyond this, Newton's method is not reliable:
+/// minimum-norm steps are erratic from 66.8 deg of misalignment on (docs/notation.md).
 inline constexpr double kLargestTurn = 0.5;
 inline constexpr int kMostIterations = 60;
-/// Residual (scaled) at which a stalled iteration is accepted: a lesson's loops close no better than its
-/// typed digits, and seven are enough.
+/// Residual (scaled) at which a stalled iteration is accepted: the loops of a lesson close only to its typed
+/// digits, and seven are enough.
 inline constexpr double kFloorTolerance = 1e-7;
 
 /// Rule for the fraction of a step that is taken.
@@ -40,7 +40,7 @@ struct NewtonStep {
     bool converged = false;      ///< no step was needed: the members below are 0
     double delta_norm = 0.0;     ///< ‖Δq‖ of the step taken
     double turn = 0.0;           ///< largest turn of a body in the full step [rad]
-    double fraction = 1.0;  ///< fraction of the full step that was taken; below 1 where the rule shortened it
+    double fraction = 1.0;  ///< fraction of the full step that was taken; below 1 if the rule shortened it
     int rank = 0;           ///< independent equations used
 };
 
@@ -92,7 +92,7 @@ private:
     double tolerance_ = 0.0;
     double previous_residual_ = 0.0;
     int previous_rank_ = 0;
-    bool reached_further_ = false;  ///< the last step used more equations than the one before
+    bool reached_further_ = false;  ///< the last step used more equations than the previous one
     VectorX right_side_;
     VectorX delta_;
     VectorX linear_residual_;

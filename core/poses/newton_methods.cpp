@@ -11,7 +11,7 @@ namespace jw {
 
 namespace {
 
-// trials: steps with some λ, accepted or not
+// number of trials: steps with some λ, accepted or not
 constexpr int kMostTrials = 200;
 constexpr double kFirstDamping = 1e-3;
 constexpr double kLargestDamping = 1e12;    // a step of 1e-12 of the gradient no longer reduces anything
@@ -53,7 +53,7 @@ StepRule rule_of(NewtonMethod method) {
     return StepRule::limited;
 }
 
-/// @return whether it has converged
+/// @return true if it has converged
 template <class C>
 bool run_stepper(NewtonStepper<C>& stepper, std::vector<NewtonIterate>& iterates) {
     while (!stepper.outcome()) {
@@ -78,7 +78,7 @@ public:
           scaling_(scaling_of<C>(system, normalisation_rows)),
           t_(t) {}
 
-    /// @return whether it has converged
+    /// @return true if it has converged
     bool run(State state, double tolerance, std::vector<NewtonIterate>& iterates) {
         NewtonIterate now = looked_at(std::move(state));
         double damping = kFirstDamping;
@@ -98,7 +98,7 @@ public:
         if (!is_finite(now)) { return false; }
         now.delta_norm = now.turn = now.damping = 0.0;
         iterates.push_back(now);
-        // where no step reduces ‖Φ‖, the numbers of the lesson close no better
+        // if no step reduces ‖Φ‖, the numbers of the lesson do not close better
         return now.residual <= (damping > kLargestDamping ? kFloorTolerance : tolerance);
     }
 

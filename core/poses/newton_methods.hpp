@@ -35,16 +35,16 @@ struct NewtonTrace {
     bool converged = false;
     std::optional<WrongBranch> wrong_branch;  ///< converged, but to an unintended solution
     /// Measured order of convergence log(ε₃/ε₂) / log(ε₂/ε₁) of the last three decreasing residuals above
-    /// rounding: 2 for Newton's method near a regular solution, 1 at a singular one. Absent if there are no
-    /// such three.
+    /// rounding: 2 for Newton's method near a regular solution, 1 at a singular one. Absent if there are
+    /// fewer than three.
     std::optional<double> order;
 };
 
 /// Runs a method for at most kMostIterations steps, or 200 trials of Levenberg-Marquardt. If numbers
 /// overflow, the trace ends with the last finite state; it is empty if `start` is not finite.
-/// @param normalisation_rows false omits pᵀp - 1 in the (r, p) choices: p then drifts off unit length, where
-///        A(p) of the true choice is no rotation and that of the modified one a scaled rotation; parts can
-///        "assemble" deformed. No effect in the ω choices.
+/// @param normalisation_rows false omits pᵀp - 1 in the (r, p) choices: p then drifts off unit length. There
+/// A(p) of the true choice is not a rotation, and that of the modified choice is a scaled rotation; parts can
+/// "assemble" deformed. No effect in the ω choices.
 template <class C>
 NewtonTrace trace_newton(
     const System& system, const State& start, double t, NewtonMethod method, bool normalisation_rows = true);

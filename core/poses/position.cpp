@@ -12,8 +12,8 @@ namespace {
 constexpr double kFarForScrew = 12.0;
 
 /// Moves the nut of the screw with the largest error of advance to its place without rotation: Newton's
-/// method, whose steps turn bodies by half a radian at most, would have to screw it there.
-/// @return whether the error of a screw is so large that this is worth a try
+/// method, whose steps turn bodies by at most half a radian, would have to screw it there.
+/// @return true if the error of a screw is so large that this is worth a try
 bool slide_screws(const System& system, State& state) {
     bool any = false;
     for (const Constraint& c : system.constraints()) {
@@ -43,7 +43,7 @@ bool is_met(const System& system, const State& state, double t) {
     return equations.phi().cwiseAbs().maxCoeff() <= kFloorTolerance;
 }
 
-constexpr int kMostBranches = 4;  // each attempt turns one body; more attempts would only repeat
+constexpr int kMostBranches = 4;  // each attempt turns one body; more attempts would only repeat earlier ones
 
 }  // namespace
 
@@ -51,7 +51,7 @@ template <class C>
 PositionOutcome solve_position(
     const System& given, State& state, double t, const PositionObserver& observer) {
     const std::vector<int> sides = intended_sides(given);
-    System system = given;  // rows are chosen again where the given ones turn out bad at the solution
+    System system = given;  // rows are chosen again if the given ones are bad at the solution
     NewtonStepper<C> stepper(system);
     PositionOutcome outcome;
     State guess = state;
@@ -76,9 +76,9 @@ PositionOutcome solve_position(
                 slid = true;
                 continue;
             }
-            // far from any solution the minimum-norm step turns bodies by many turns and is reduced to next
-            // to nothing; damped steps get near. Near singular poses, where full steps oscillate, they
-            // converge
+            // far from any solution, the minimum-norm step turns bodies by many turns and is reduced to
+            // almost nothing; damped steps get near. Near singular poses, where full steps oscillate, damped
+            // steps converge
             if (!damped) {
                 guess = closest_fit(system, state, t);
                 damped = true;

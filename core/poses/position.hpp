@@ -6,7 +6,7 @@
 #include "core/poses/diagnosis.hpp"
 #include "core/poses/newton.hpp"
 
-/// Position analysis: Newton-Raphson, correction of wrong branches, and a diagnosis where it fails.
+/// Position analysis: Newton-Raphson, correction of wrong branches, and a diagnosis if it fails.
 namespace jw {
 
 /// Result of position analysis.

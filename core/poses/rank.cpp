@@ -65,7 +65,7 @@ public:
         dependent_.insert(dependent_.end(), candidates.begin(), candidates.end());
     }
 
-    /// Adds the best of the remaining rows, should the greedy order have found fewer than the singular values
+    /// Adds the best of the remaining rows if the greedy order has found fewer than the singular values
     /// promise.
     void complete() {
         while (static_cast<int>(independent_.size()) < rank_ && !dependent_.empty()) {
@@ -111,10 +111,9 @@ VectorX combination_of(
     return all;
 }
 
-/// @param tolerance for the remainder of a row beside those before it
+/// @param tolerance for the remainder of a row after removal of earlier rows
 /// @param vanishing the largest singular value that counts as zero, with its error. A combination with
-///        coefficients c is a left null vector of length √(1 + |c|²): it leaves no more than `vanishing`
-///        times that
+/// coefficients c is a left null vector of length √(1 + |c|²): it leaves at most `vanishing` times that
 std::vector<RedundantRow> redundant_rows_of(
     const System& system, const MatrixX& scaled, const Scaling& scaling, int rank, double tolerance,
     double vanishing) {
@@ -134,7 +133,7 @@ std::vector<RedundantRow> redundant_rows_of(
     std::vector<RedundantRow> redundant;
     for (const int row : elimination.dependent()) {
         RedundantRow entry{row, {}, 0.0, 0.0};
-        // a row that is rounding only reads 0 = 0 and depends on no other
+        // a row that is only rounding means 0 = 0 and does not depend on others
         if (!kept.empty() && scaled.row(row).norm() > tolerance) {
             const VectorX coefficients = combination_of(basis, qr, scaled.row(row).transpose());
             for (std::size_t k = 0; k < kept.size(); ++k) {
@@ -167,7 +166,7 @@ std::vector<FreeMotion> readable_basis(MatrixX basis, const VectorX& column_scal
     }
     std::vector<FreeMotion> motions;
     for (Eigen::Index k = 0; k < count; ++k) {
-        // in the scene's units: with metres beside radians the size of the scene would decide
+        // in the scene's units: with metres and radians, the size of the scene would decide
         const double negligible = kNegligibleEntry * basis.col(k).cwiseAbs().maxCoeff();
         VectorX motion = (basis.col(k).array().abs() < negligible).select(0.0, basis.col(k));
         motion = motion.cwiseProduct(column_scale).eval();

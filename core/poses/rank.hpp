@@ -5,13 +5,13 @@
 
 #include "core/equations/system.hpp"
 
-/// The kinematic rank of a system: how many of its equations are independent, which repeat which, and what
-/// motions are left free. Always judged on the (r, ω') matrix: (r, p) without the rows pᵀp = 1 hides
-/// redundancy, since a change of |p| acts as a false freedom.
+/// The kinematic rank of a system: how many of its equations are independent, which others imply the
+/// redundant ones, and which motions are left free. Always judged on the (r, ω') matrix: (r, p) without the
+/// rows pᵀp = 1 hides redundancy, since a change of |p| acts as a false freedom.
 namespace jw {
 
 /// Relative threshold of a vanishing singular value. A redundant one is about half the position error, so the
-/// threshold is `kErrorFactor` times the residual where that is larger.
+/// threshold is `kErrorFactor` times the residual if that is larger.
 inline constexpr double kRankThreshold = 1e-9;
 inline constexpr double kErrorFactor = 10.0;
 /// Residual (scaled) above which the state counts as not assembled, and the rank is that of the matrix only.
@@ -58,10 +58,10 @@ struct RankReport {
     /// Uncertainty of σ_r, the last singular value that counts, due to the residual: a position is known to
     /// about residual / σ_r, and Φq changes by as much.
     double pose_error = 0.0;
-    /// False if the rank is undecided: σ_r is within its error of the threshold, or σ_(r+1) is, or the
-    /// decomposition does not pass its check, or typed digits leave it open.
+    /// False if the rank is undecided: σ_r or σ_(r+1) is within its error of the threshold, the decomposition
+    /// does not pass its check, or typed digits leave it undecided.
     bool decided = true;
-    std::optional<TypedVerdict> typed;  ///< where the digits of all joints decide
+    std::optional<TypedVerdict> typed;  ///< if the digits of all joints decide
     double residual = 0.0;              ///< largest |Φ|, scaled
     double largest_gap = 0.0;           ///< σ_r / max(σ_(r+1), rounding): the margin of the verdict
     bool assembled = true;              ///< false: the residual is so large that only the matrix is described
@@ -76,12 +76,12 @@ struct RankReport {
     double estimated_last = 0.0;
 
     int redundant() const { return rows - rank; }
-    /// σ_1 and σ_r; 0 where the rank is 0.
+    /// σ_1 and σ_r; 0 if the rank is 0.
     double first_value() const;
     double last_value() const;
 };
 
-/// What a report is wanted for: the redundant rows and the free motions take as long as the verdict.
+/// Extent of a report: the redundant rows and the free motions take as long as the verdict.
 enum class RankDetail { everything, verdict };
 
 /// Determines rank, redundant rows and free motions at a state.
@@ -93,7 +93,7 @@ RankReport analyse_rank(
     RankDetail detail = RankDetail::everything);
 
 /// Rows, ascending, any single one of which may be removed without a loss of rank: the redundant ones and all
-/// that they are combinations of. Removing two is another question.
+/// rows of which they are combinations. This does not hold for two rows together.
 std::vector<int> removable_rows(const RankReport& report);
 
 /// Singular values of any matrix, largest first.

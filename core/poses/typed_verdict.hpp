@@ -4,7 +4,7 @@
 
 namespace jw {
 
-/// Tells the report on all joints of a mechanism what their digits leave open.
+/// Puts into the report on all joints of a mechanism what their digits leave undecided.
 inline void take_typed_verdict(const System& system, RankReport& report) {
     const Mechanism& mechanism = system.mechanism();
     if (!mechanism.typed || system.selection().joints.size() != mechanism.joints.size()) { return; }

@@ -13,7 +13,8 @@ namespace jw {
 
 namespace {
 
-// relative to the forces: far above rounding, 1e-13; a pose that was pulled elsewhere leaves more
+// relative to the forces: far above rounding, 1e-13; a pose that was pulled to another place has a larger
+// residual
 constexpr double kNoMotion = 1e-6;
 
 QuantityValue absent(Absence why) {
@@ -36,8 +37,8 @@ Measured distance_of(const Measured& squared) {
     return {d, rate, (0.5 * squared.acceleration - rate * rate) / d};
 }
 
-/// Rates of the energies [W]: kinetic from the accelerations, potential as the power that gravity and springs
-/// take up.
+/// Rates of the energies [W]: kinetic energy from the accelerations; potential energy as the power that
+/// gravity and springs absorb.
 Energy energy_rate_of(
     const Centroidal& scene, const State& state, const Motion& motion, const Motion& acceleration) {
     Loads conservative = scene.loads;
@@ -79,10 +80,11 @@ public:
     QuantityValue operator()(const PairConditionQuantity& q) const;
 
 private:
-    /// `known` derivatives of numbers that end with one of accelerations: left out where there are none.
+    /// Value and derivatives `numbers`. Those from `first_of_accelerations` on need accelerations; they are
+    /// left out if these are not known.
     QuantityValue with_accelerations(std::array<double, 3> numbers, int first_of_accelerations) const;
     Mat3 A(int body) const { return rotation_matrix(instant_->state.p[at(body)]); }
-    /// Zero where nothing is known of it; whoever uses it leaves out what follows.
+    /// Zero if it is not known; the caller leaves out what follows from it.
     Vec3 r_ddot(int body) const {
         return instant_->acceleration ? instant_->acceleration->r_dot[at(body)] : Vec3::Zero();
     }
@@ -91,7 +93,7 @@ private:
     }
     MovingVector arm(int body, const Vec3& s_local) const;
     MovingVector point(int body, const Vec3& s_local) const;
-    /// Its size, and the rate of it; the second derivative where `twice`.
+    /// Size of the vector and its rate; the second derivative if `twice`.
     QuantityValue size_of(const MovingVector& v, int first_of_accelerations, bool twice) const;
     const Reaction* reaction_of(int joint, int driver, Absence& why) const;
 
@@ -225,7 +227,7 @@ QuantityValue Evaluation::operator()(const DirectionsQuantity& q) const {
     QuantityValue out = with_accelerations(
         {elementary::atan2(sine, cosine), rate, (-cosine_ddot - cosine * rate * rate) / sine}, 2);
     if (sine > 0.0) { return out; }
-    // parallel: the angle has a corner there
+    // parallel: the angle has a corner here
     out.derivatives = {out.derivatives[0], QuantityValue::kNone, QuantityValue::kNone};
     out.absences = {Absence::none, Absence::singular, Absence::singular};
     return out;

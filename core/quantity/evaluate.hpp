@@ -11,25 +11,25 @@
 #include "core/poses/rank.hpp"
 #include "core/quantity/quantity.hpp"
 
-/// Quantities at an instant: the one place where they are evaluated.
+/// Quantities at an instant; they are evaluated only here.
 namespace jw {
 
-/// Known state of a mechanism at one time. Expensive results are computed when first asked for, once.
+/// Known state of a mechanism at one time. Expensive results are computed once, when first requested.
 class Instant {
 public:
     double t = 0.0;  ///< [s]
     std::shared_ptr<const System> system;
     State state;
     Motion velocity;
-    /// Whole turns of every joint that the motion has made (FollowedAngles); empty: only a pose is known, and
+    /// Whole turns that every joint has made in the motion (FollowedAngles); empty: only a pose is known, and
     /// angles lie in (-π, π].
     std::vector<int> turns;
-    std::optional<Motion> acceleration;  ///< nothing: not known, so there are no second derivatives
+    std::optional<Motion> acceleration;  ///< nothing: not known, so second derivatives are missing
     /// Masses and forces, if there are any.
     std::shared_ptr<const Centroidal> scene;
-    /// r̈, ω̇' of the centroidal frames; nothing: found from `acceleration`.
+    /// r̈, ω̇' of the centroidal frames; nothing: computed from `acceleration`.
     std::optional<Motion> centroidal_acceleration;
-    /// Energies as the run of this instant summed them; if absent they are computed from the state.
+    /// Energies as summed by the run of this instant; if absent, they are computed from the state.
     std::optional<Energy> energy;
 
     const RankReport& rank() const;
@@ -45,20 +45,20 @@ private:
     mutable std::optional<Reactions> reactions_;
 };
 
-/// Why a quantity has no value, or no derivative.
+/// Why a quantity does not have a value, or a derivative.
 enum class Absence {
     none,
     no_masses,        ///< the instant has no scene
-    no_acceleration,  ///< nothing says how it moves on
-    no_derivative,    ///< it has none, or none that is found
-    not_unique,       ///< equations that repeat each other leave it open
-    not_there,        ///< its joint or driver takes no part
-    no_motion_of_it,  ///< a reaction that does not hold the motion: the pose is none of it
+    no_acceleration,  ///< its further motion is not known
+    no_derivative,    ///< it does not have one, or none that is computed
+    not_unique,       ///< redundant equations leave it undetermined
+    not_there,        ///< its joint or driver does not take part
+    no_motion_of_it,  ///< a reaction that does not hold the motion: the pose is not part of it
     rank_lost,        ///< a pair that has lost rank has no condition
-    singular          ///< a root of 0 has no rate
+    singular          ///< the rate of a root does not exist at 0
 };
 
-/// A quantity with its rate and acceleration; NaN where there is none.
+/// A quantity with its rate and acceleration; NaN where one is missing.
 struct QuantityValue {
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     std::array<double, 3> derivatives{kNone, kNone, kNone};
@@ -69,7 +69,7 @@ struct QuantityValue {
     double acceleration() const { return derivatives[2]; }
 };
 
-/// @param highest derivative that is asked for: others may be left out
+/// @param highest  highest derivative that is needed: higher ones may be left out
 QuantityValue evaluate(const Quantity& quantity, const Instant& instant, int highest = 2);
 
 }  // namespace jw

@@ -8,8 +8,8 @@
 #include "core/model/mechanism.hpp"
 #include "core/quantity/quantity.hpp"
 
-/// Names of quantities: "crank.x", "hinge.angle_dot", "energy.sum". The same everywhere: claims, columns of
-/// tables, curves. docs/quantities.md lists them.
+/// Names of quantities: "crank.x", "hinge.angle_dot", "energy.sum". They are the same everywhere: in claims,
+/// columns of tables and curves. docs/quantities.md lists them.
 namespace jw {
 
 /// A quantity, or a derivative of it: what a name stands for.
@@ -23,9 +23,9 @@ std::string name_of(const Quantity& quantity, int derivative, const Mechanism& m
 
 struct ReadName {
     NamedQuantity named;
-    /// Present name, if `text` is a former one; else empty.
+    /// Present name, if `text` is a former one; otherwise empty.
     std::string name_of_today;
-    /// The name leaves the point of a body open: "crank.point.x".
+    /// The name does not give the point of a body: "crank.point.x".
     bool wants_point = false;
 };
 
@@ -35,9 +35,9 @@ std::optional<ReadName> read_name(std::string_view text, const Mechanism& mechan
 /// Owner in a name: the text up to the first dot, without a bar.
 std::string_view owner_in(std::string_view name);
 
-/// Every quantity of a mechanism with all its derivatives, but those that need points or directions.
+/// Every quantity of a mechanism with all its derivatives, except those that need points or directions.
 std::vector<NamedQuantity> quantities_of(const Mechanism& mechanism);
-/// Quantities of one body, joint or driver: all that can stand behind its name.
+/// Quantities of one body, joint or driver: everything that can follow its name.
 std::vector<NamedQuantity> quantities_of_body(int body);
 std::vector<NamedQuantity> quantities_of_joint(const Mechanism& mechanism, int joint);
 std::vector<NamedQuantity> quantities_of_driver(const Mechanism& mechanism, int driver);
@@ -49,7 +49,7 @@ MeasureQuantity measure_of_driver(const Mechanism& mechanism, int driver);
 
 /// "s", "p1", "theta": the equation of a role in names, as in `without` of a lesson.
 std::string_view word_of(Role role);
-/// "x" of three, "a" of a pair, nothing of a single equation.
+/// "x" of three equations, "a" of a pair, nothing for a single equation.
 std::string_view component_word(const Joint& joint, Role role, int component);
 /// Number of equations of a role in this joint.
 int equations_of(const Joint& joint, Role role);

@@ -7,8 +7,8 @@
 #include "core/jets/drivers.hpp"
 #include "core/model/joint_types.hpp"
 
-/// Quantities: what can be measured on a mechanism. A quantity is a plain value; names.hpp says how it is
-/// called, evaluate.hpp what it is at an instant.
+/// Quantities: what can be measured on a mechanism. A quantity is a plain value; names.hpp gives its name,
+/// evaluate.hpp its value at an instant.
 namespace jw {
 
 /// Unit of a number before any "per second".
@@ -35,7 +35,7 @@ constexpr std::string_view symbol_of(Unit unit) {
     return "N m";
 }
 
-/// "/s²": so many "per second", up to three.
+/// "/s²": `count` times "per second", up to three.
 constexpr std::string_view per_seconds(int count) {
     constexpr std::array<std::string_view, 4> kWords{"", "/s", "/s²", "/s³"};
     return kWords[static_cast<std::size_t>(count)];
@@ -46,8 +46,8 @@ struct MeasureQuantity {
     Measure measure;
     int body_i = 0;
     int body_j = 0;
-    int joint = -1;   ///< whose measure it is, -1 for none
-    int driver = -1;  ///< whose distance it is, -1 for none
+    int joint = -1;   ///< joint whose measure it is, -1 for none
+    int driver = -1;  ///< driver whose distance it is, -1 for none
 };
 
 /// One component of the angular velocity of a body.
@@ -98,13 +98,13 @@ enum class WrenchPart { force, torque };
 
 /// Force or torque of a joint or driver on body j; the torque is about the joint's point.
 struct ReactionQuantity {
-    int joint = -1;   ///< -1: of the driver
-    int driver = -1;  ///< -1: of the joint
+    int joint = -1;   ///< joint; -1: it belongs to the driver
+    int driver = -1;  ///< driver; -1: it belongs to the joint
     WrenchPart part = WrenchPart::force;
-    int component = 0;  ///< global x, y, z; 3: the size
+    int component = 0;  ///< global x, y, z; 3: the magnitude
 };
 
-/// Force or torque with which a driver pushes what it prescribes: effort times rate is its power.
+/// Force or torque of a driver along the quantity that it prescribes: effort times rate is its power.
 struct EffortQuantity {
     int driver = 0;
     bool is_torque = false;  ///< it drives an angle
@@ -115,10 +115,10 @@ struct ParameterErrorQuantity {
     int body = 0;
 };
 
-/// Φ of one equation by its size, as `residual_below` means it; also of one that is left out.
+/// Φ of one equation divided by its size, as in `residual_below`; also of one that is left out.
 struct ResidualQuantity {
-    int joint = -1;   ///< -1: of the driver
-    int driver = -1;  ///< -1: of the joint
+    int joint = -1;   ///< joint; -1: it belongs to the driver
+    int driver = -1;  ///< driver; -1: it belongs to the joint
     Role role = Role::same_point;
     int component = 0;
 };
@@ -146,15 +146,15 @@ Unit unit_of(const Measure& measure);
 /// Number of derivatives that have a meaning and are known: 0, 1 or 2.
 int derivatives_of(const Quantity& quantity);
 
-/// True if a pose gives the quantity up to whole turns only.
+/// True if a pose gives the quantity only up to whole turns.
 bool is_modulo_turn(const Quantity& quantity);
 
 /// True for quantities of a motion by masses and forces: energies, reactions, efforts.
 bool needs_masses(const Quantity& quantity);
 
-/// The joint that it is about, -1 for none.
+/// The joint that it belongs to, -1 for none.
 int joint_of(const Quantity& quantity);
-/// The driver that it is about, -1 for none.
+/// The driver that it belongs to, -1 for none.
 int driver_of(const Quantity& quantity);
 
 }  // namespace jw

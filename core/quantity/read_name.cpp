@@ -34,7 +34,7 @@ bool take(std::string_view& text, std::string_view start) {
 /// Takes "_dot" or "_ddot" from the front.
 int take_dots(std::string_view& text) { return take(text, "_ddot") ? 2 : take(text, "_dot") ? 1 : 0; }
 
-/// Takes "[0.5 0 1e-3]" from the front; blanks between, no more than one.
+/// Takes "[0.5 0 1e-3]" from the front, with at most one blank between numbers.
 std::optional<Vec3> take_vector(std::string_view& text) {
     if (!take(text, "[")) { return std::nullopt; }
     Vec3 v = Vec3::Zero();
@@ -60,7 +60,7 @@ std::optional<ReadName> found_in(
     return std::nullopt;
 }
 
-/// "point[0.5 0 0].x", "point_dot.x", "point.speed": without numbers the point is left open.
+/// "point[0.5 0 0].x", "point_dot.x", "point.speed": without numbers, the point is not given.
 std::optional<ReadName> point_of(std::string_view word, int body) {
     if (!take(word, "point")) { return std::nullopt; }
     const int derivative = take_dots(word);
@@ -149,7 +149,7 @@ std::string today_of(std::string_view text) {
     return std::string(text);
 }
 
-/// "crank.x_dot" of "crank.x rate": derivatives of coordinates are named after r.
+/// "crank.r_dot.x" from "crank.x_dot", formerly "crank.x rate": derivatives of coordinates are named after r.
 std::string named_after_r(std::string_view today) {
     for (const std::string_view dot : {kDots[1], kDots[2]}) {
         std::string_view rest = today;

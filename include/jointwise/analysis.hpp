@@ -5,15 +5,14 @@
 
 #include "jointwise/mechanism.hpp"
 
-/// What can be computed of a mechanism: poses, equations, rank, velocities, accelerations, motion.
+/// Computations on a mechanism: poses, equations, rank, velocities, accelerations, motion.
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
 
-/// Coordinates that equations are written in: (r, p) with the true or the modified derivatives, (r, ω'), (r,
-/// ω).
+/// Coordinates of the equations: (r, p) with the true or the modified derivatives, (r, ω'), (r, ω).
 enum class Coordinates { true_euler_parameters, modified_euler_parameters, omega_local, omega_global };
 
-/// Positions at a time: r and p per body, the angle of each screw.
+/// Positions at a time: r and p of each body, the angle of each screw.
 struct Pose {
     double t = 0.0;             ///< [s]
     std::vector<Vector3> r;     ///< [m]
@@ -21,30 +20,30 @@ struct Pose {
     std::vector<double> theta;  ///< artificial coordinates of screws [rad]
 };
 
-/// Velocities, or accelerations in their place.
+/// Velocities, or accelerations in their places.
 struct Rates {
     std::vector<Vector3> r_dot;        ///< [m/s]
     std::vector<Vector3> omega_local;  ///< in the frame of the body [rad/s]
     std::vector<double> theta_dot;     ///< [rad/s]
 };
 
-/// The numerics could not do it; `what()` names time and joint.
+/// The numerics failed; `what()` names time and joint.
 class NotReached : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// The pose that was given as the start estimate, whether it satisfies the equations or not.
+/// The pose given as the start estimate, whether it satisfies the equations or not.
 Pose start_pose(const Mechanism& mechanism);
 Rates start_rates(const Mechanism& mechanism);
 
-/// Puts everything together at a time: Φ(q, t) = 0 from the start estimate on. @throws NotReached
+/// Assembles the mechanism at a time: Φ(q, t) = 0, beginning at the start estimate. @throws NotReached
 Pose assemble(const Mechanism& mechanism, double t = 0.0);
-/// The same from another estimate.
+/// The same, beginning at another estimate.
 Pose assemble(const Mechanism& mechanism, const Pose& estimate, double t);
 
-/// Equations of all joints and drivers at a pose: Φ, Φq, and the right sides of Φq q̇ = ν and Φq q̈ = γ. The
-/// columns are seven or six of each moving body, then the angles of screws.
+/// Equations of all joints and drivers at a pose: Φ, Φq, and the right sides of Φq q̇ = ν and Φq q̈ = γ. Each
+/// moving body has seven or six columns; the angles of screws follow.
 struct Equations {
     std::vector<std::string> rows;  ///< "hinge.p1.y", one per row
     Eigen::VectorXd phi;
@@ -67,14 +66,14 @@ struct Rank {
     bool decided = true;              ///< false: a singular value is within its error of the threshold
     Eigen::VectorXd singular_values;  ///< scaled, largest first; empty for very large mechanisms
     std::vector<std::string> redundant_rows;
-    Eigen::MatrixXd free_motions;  ///< a column each
+    Eigen::MatrixXd free_motions;  ///< one per column
 };
 Rank rank_at(const Mechanism& mechanism, const Pose& pose);
 
-/// Velocities that satisfy Φq q̇ = ν, the smallest where that leaves a choice. @throws NotReached if equations
+/// Velocities that satisfy Φq q̇ = ν; if they are not unique, the smallest. @throws NotReached if equations
 /// contradict each other
 Rates velocities_at(const Mechanism& mechanism, const Pose& pose);
-/// Accelerations r̈, ω̇', θ̈ with Φq q̈ = γ, likewise.
+/// Accelerations r̈, ω̇', θ̈ with Φq q̈ = γ; if they are not unique, the smallest.
 Rates accelerations_at(const Mechanism& mechanism, const Pose& pose, const Rates& velocities);
 
 /// A moment of a motion.
@@ -90,13 +89,13 @@ std::vector<Moment> follow(const Mechanism& mechanism, const std::vector<double>
 
 struct Simulation {
     std::string method = "explicit-8";  ///< as for `jointwise simulate --method`
-    double tolerance = 1e-6;            ///< of adaptive methods
-    double step = 1e-3;                 ///< of the others [s]
-    /// Asked every few hundred steps; false gives up, as NotReached.
+    double tolerance = 1e-6;            ///< for adaptive methods
+    double step = 1e-3;                 ///< for the other methods [s]
+    /// Called every few hundred steps; false ends the run with NotReached.
     std::function<bool()> go_on = {};
 };
-/// Motion by masses and forces, from t = 0 through ascending times. Every moving body needs a mass.
-/// @throws NotReached where it ends early
+/// Motion by masses and forces, from t = 0 through the ascending times. Every moving body needs a mass.
+/// @throws NotReached if it ends early
 std::vector<Moment> simulate(
     const Mechanism& mechanism, const std::vector<double>& times, const Simulation& settings = {});
 

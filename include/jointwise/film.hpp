@@ -15,21 +15,21 @@ struct FilmOptions {
     std::string from = {};  ///< first step: "3" counted from 1, a joint or driver, "t=0.5"; empty: the first
     std::string to = {};    ///< last step, included; empty: the last
     double fps = 30.0;      ///< pictures per second of what moves, 0.1 to 240
-    bool loop = false;      ///< a .gif or .apng begins again at its end
-    bool tween = true;      ///< bodies are seen on their way where an iteration or a joint moves them
+    bool loop = false;      ///< a .gif or .apng repeats
+    bool tween = true;      ///< shows bodies on their way if an iteration or a joint moves them
     bool dark = false;
-    double text = 1.0;                                 ///< size of text, 1 is usual
-    std::optional<std::array<double, 3>> camera = {};  ///< direction in which the eye is
-    bool panels = true;                                ///< false: the mechanism and its names alone
-    bool transparent = false;                          ///< nothing behind it; without panels
+    double text = 1.0;                                 ///< size of text, relative to the usual size
+    std::optional<std::array<double, 3>> camera = {};  ///< direction to the eye
+    bool panels = true;                                ///< false: only the mechanism and its names
+    bool transparent = false;                          ///< no background; only without panels
     int width = 1280;                                  ///< pixels
     int height = 720;
 };
 
-/// A lesson told as a film: steps are found when it is made, pictures are drawn when it is written.
+/// A lesson told as a film. The constructor finds the steps; `save` draws the pictures.
 class Film {
 public:
-    /// A lesson that fails at a step ends there, and shows that.
+    /// A film of a lesson that fails at a step ends there, and shows the failure.
     /// @throws std::invalid_argument for options that make no sense
     Film(const Lesson& lesson, const FilmOptions& options);
 
@@ -37,15 +37,15 @@ public:
     int pictures() const;
     const FilmOptions& options() const { return options_; }
 
-    /// Writes it, whole or not at all; the ending of the name says the format: .gif, .apng, .html, and with
-    /// ffmpeg .mp4 and .webm, which have their captions beside them.
-    /// @param go_on  asked after each picture; false gives up, as NotReached, and leaves nothing
+    /// Writes the film, whole or not at all. The ending of the name selects the format: .gif, .apng, .html,
+    /// and with ffmpeg .mp4 and .webm, which have their captions in files beside them.
+    /// @param go_on  called after each picture; false ends with NotReached, and no file is left
     /// @throws std::invalid_argument for a format that cannot do what is asked, std::runtime_error if it
     /// cannot be drawn or written
     void save(const std::filesystem::path& file, const std::function<bool()>& go_on = {}) const;
 
 private:
-    struct Inside;  // of the library alone
+    struct Inside;  // only for the library
     std::shared_ptr<const Inside> inside_;
     FilmOptions options_;
 };

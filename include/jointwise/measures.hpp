@@ -9,29 +9,29 @@
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
 
-/// The names of all quantities of a mechanism, but those that need a point or a direction.
+/// Names of all quantities of a mechanism, except those that need a point or a direction.
 std::vector<std::string> quantity_names(const Mechanism& mechanism);
 
-/// Quantities of one mechanism at many moments: the names are read once. Not to be used by two threads at
-/// once.
+/// Quantities of one mechanism at many moments: the names are read once. Two threads must not use it at the
+/// same time.
 class Quantities {
 public:
-    /// @throws std::invalid_argument for a name that stands for nothing
+    /// @throws std::invalid_argument for a name that is not a quantity
     Quantities(const Mechanism& mechanism, const std::vector<std::string>& names);
     ~Quantities();
     Quantities(Quantities&&) noexcept;
     Quantities& operator=(Quantities&&) noexcept;
 
-    /// As they are called today, where a name of before was given.
+    /// Present names; they replace old names that were given.
     const std::vector<std::string>& names() const;
-    /// "rad/s", "N m"; "1" where a number has no unit. SI and radians.
+    /// "rad/s", "N m"; "1" for a number without a unit. SI and radians.
     const std::vector<std::string>& units() const;
 
-    /// One value per name; NaN where a quantity has no value. Rotational springs are twisted by the turns
-    /// since the start pose that the pose tells: none.
+    /// One value per name; NaN for a quantity without a value. For rotational springs, no whole turns since
+    /// the start pose are counted, because a pose does not contain them.
     Eigen::VectorXd at(const Moment& moment) const;
-    /// A row per time. Turns of rotational springs are counted along the rows, which must lie less than half
-    /// a turn of any spring apart. Turns of angles are followed from row to row by their rates.
+    /// One row per time. Turns of rotational springs are counted from row to row: between two rows, no spring
+    /// may turn by half a turn or more. Turns of angles are followed from row to row by their rates.
     Table along(const Trajectory& trajectory) const;
 
 private:
@@ -51,16 +51,17 @@ struct Reaction {
     /// True if the component along x, y, z is the same in every solution.
     std::array<bool, 3> force_unique{true, true, true};
     std::array<bool, 3> torque_unique{true, true, true};
-    double effort = 0.0;  ///< of a driver, along what it prescribes: effort times rate is its power [N, N m]
+    double effort = 0.0;  ///< of a driver, along its measure: effort times rate is its power [N, N m]
 };
 
-/// Reactions of a motion; where redundant equations leave them open, the smallest.
+/// Reactions of a motion; if redundant equations leave them open, the smallest ones.
 struct Reactions {
     std::vector<Reaction> reactions;  ///< of joints, then of drivers; none between two fixed bodies
     int open = 0;                     ///< independent reactions that can be added without any motion
-    /// Part of M q̈ - Q that no reaction explains, relative; above `bound` the moment is none of a motion.
+    /// Part of M q̈ - Q that no reaction explains, relative; above `bound`, the moment is not one of a
+    /// motion.
     double residual = 0.0;
-    double bound = 0.0;  ///< what rounding can make of the residual
+    double bound = 0.0;  ///< bound of the residual from rounding
 };
 /// @throws std::invalid_argument if a moving body has no mass
 Reactions reactions_at(const Mechanism& mechanism, const Moment& moment);

@@ -24,9 +24,9 @@ using Vector3 = Eigen::Vector3d;
 using Vector4 = Eigen::Vector4d;  ///< Euler parameters e0, e1, e2, e3
 using Matrix3 = Eigen::Matrix3d;
 
-/// A vector or matrix as an argument: any expression of Eigen of that size, or a vector's numbers in braces,
-/// {1, 0, 0}. Eigen's own types take two numbers whatever their size and abort when the program runs; here
-/// they do not compile, and an expression whose size is known late throws std::invalid_argument.
+/// A vector or matrix as an argument: any Eigen expression of that size, or the numbers of a vector in
+/// braces, {1, 0, 0}. Eigen's own types accept two numbers for any size, and abort at run time. Here they do
+/// not compile, and an expression whose size is known only at run time throws std::invalid_argument.
 template <int Rows, int Columns = 1>
 struct Argument : Eigen::Matrix<double, Rows, Columns> {
     using Value = Eigen::Matrix<double, Rows, Columns>;
@@ -47,7 +47,7 @@ private:
     }
 };
 
-/// Where a joint is, in the global frame at the start pose of its bodies. Each type uses its part of it.
+/// Position of a joint in the global frame, at the start pose of its bodies. Each type uses a part of it.
 struct Place {
     Argument<3> at = Vector3::Zero();       ///< point of the first body [m]
     std::optional<Argument<3>> to = {};     ///< point of the second body [m]; absent: `at`
@@ -60,9 +60,9 @@ struct Place {
 /// c0 + c1 t + c2 t² + ...: what a driver prescribes [rad or m].
 using Polynomial = std::vector<double>;
 
-/// A mechanism as data; a value that can be copied. Numbers that name bodies and joints count from 0, and
-/// body 0 is the ground, which does not move. Every function throws std::invalid_argument where an argument
-/// makes no sense; the mechanism is then as it was.
+/// A mechanism as data; it can be copied. Numbers of bodies and joints count from 0; body 0 is the ground,
+/// which does not move. Every function throws std::invalid_argument if an argument makes no sense, and leaves
+/// the mechanism unchanged.
 class Mechanism {
 public:
     Mechanism();
@@ -75,8 +75,7 @@ public:
     /// Adds a joint; `joint_types()` lists the types. @return its number
     int add_joint(
         const std::string& name, const std::string& type, int body_i, int body_j, const Place& place);
-    /// Prescribes the angle of a joint [rad], or where it has none its displacement [m], as a function of
-    /// time.
+    /// Prescribes the angle of a joint [rad] or, if it has none, its displacement [m], as a function of time.
     int add_driver(const std::string& name, int joint, const Polynomial& value);
 
     /// Velocities of a body at the start: of its origin, and its angular velocity in its own frame.
@@ -96,7 +95,7 @@ public:
     std::vector<std::string> joint_names() const;
     std::vector<std::string> driver_names() const;
 
-    struct Inside;  ///< of the library alone
+    struct Inside;  ///< only for the library
     const Inside& inside() const { return *inside_; }
     explicit Mechanism(const Inside& inside);
 
@@ -106,7 +105,7 @@ private:
     std::shared_ptr<Inside> inside_;
 };
 
-/// The names of all types of joints.
+/// Names of all joint types.
 std::vector<std::string> joint_types();
 
 }  // namespace JOINTWISE_ABI

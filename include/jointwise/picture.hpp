@@ -9,7 +9,7 @@
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
 
-/// RGB, 8 bits a channel, top row first, no padding.
+/// RGB, 8 bits per channel, top row first, no padding.
 struct Image {
     int width = 0;
     int height = 0;
@@ -19,7 +19,7 @@ struct Image {
 /// A mechanism at a pose, as large as the picture allows. The same arguments give the same picture.
 /// @throws std::runtime_error if there is no OSMesa, or the size is out of range
 Image draw(const Mechanism& mechanism, const Pose& pose, int width = 1280, int height = 720);
-/// The same with the shapes and colours of the lesson, from the direction that it asks for.
+/// The same with the lesson's shapes and colours, from the lesson's view direction.
 Image draw(const Lesson& lesson, const Pose& pose, int width = 1280, int height = 720);
 
 /// The bytes of a PNG file.

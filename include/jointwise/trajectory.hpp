@@ -2,14 +2,14 @@
 
 #include "jointwise/analysis.hpp"
 
-/// Motions as tables: a row per time, a column per number.
+/// Motions as tables: one row per time, one column per number.
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
 
-/// Row-major: what belongs to one time lies together.
+/// Row-major: the numbers of one time lie together.
 using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// A motion at ascending times, the same numbers as a Moment each.
+/// A motion at ascending times, with the same numbers as a Moment per time.
 struct Trajectory {
     Eigen::VectorXd t;       ///< [s]
     int bodies = 0;          ///< the ground included
@@ -19,12 +19,12 @@ struct Trajectory {
     Eigen::VectorXd energy;  ///< kinetic and potential [J]; 0 in `follow`
 
     int times() const { return static_cast<int>(t.size()); }
-    /// One row. @throws std::invalid_argument if there is no such row
+    /// The moment of one row. @throws std::invalid_argument if there is no such row
     Moment moment(int row) const;
 };
 
-/// `follow` and `simulate` of analysis.hpp into a table; no moment is kept beside it.
-/// @param go_on  asked before each time; false gives up, as NotReached
+/// `follow` and `simulate` of analysis.hpp as a table, without storing moments besides.
+/// @param go_on  called before each time; false ends with NotReached
 Trajectory follow_trajectory(
     const Mechanism& mechanism, const std::vector<double>& times, const std::function<bool()>& go_on = {});
 Trajectory simulate_trajectory(

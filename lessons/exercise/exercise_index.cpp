@@ -36,7 +36,7 @@ std::vector<std::string> names_of_lessons() {
 
 std::vector<IndexedExercise> exercises_named_in(const fs::path& file) {
     std::error_code error;
-    // a pipe can be read once only
+    // a pipe can be read only once
     if (!fs::is_regular_file(file, error)) { return {}; }
     FileText read = read_file_text(file, kLargestIndexed);
     // most lessons have no exercise: parsing them all would cost as much as reading them

@@ -13,11 +13,11 @@ namespace jw {
 /// Name of the file with the answers in a student's folder.
 inline constexpr const char* kAnswersFile = "answers.toml";
 
-/// What draws the numbers of a course.
+/// The secret from which the numbers of a course are drawn, and the exercises of the course.
 struct CourseKey {
     std::string secret;
-    std::vector<std::filesystem::path> exercises;  ///< files, by the folder of the key
-    std::string problem;  ///< everything that is wrong with the file; empty if nothing is
+    std::vector<std::filesystem::path> exercises;  ///< files, relative to the folder of the key
+    std::string problem;                           ///< all mistakes in the file; empty if there are none
 };
 CourseKey read_course_key(const std::filesystem::path& path);
 
@@ -27,7 +27,7 @@ struct GivenText {
     std::vector<std::string> list;
 };
 
-/// What a student answers.
+/// The answers of one student.
 struct HandedIn {
     std::string student;
     std::map<std::string, GivenText> answers;  ///< by the names of exercises
@@ -36,14 +36,14 @@ struct HandedIn {
 /// Reads the text of answers.toml: a table [answers], whose values are texts, numbers or lists of them.
 HandedIn read_answers_text(std::string text);
 
-/// The first column of a list in CSV, without its head "student", "id" or the like.
+/// The first column of a CSV list, without its header "student", "id" or similar.
 struct Roster {
     std::vector<std::string> students;
     std::string problem;
 };
 Roster read_roster(const std::filesystem::path& path);
 
-/// Why a student cannot be called so; empty if it is fine: names of folders are made of it.
+/// Why this name of a student is not valid, as folders are named after students; empty if it is valid.
 std::string fault_of_student(const std::string& student);
 
 }  // namespace jw

@@ -9,8 +9,8 @@ namespace jw {
 /// How an exercise went so far.
 struct ExerciseRecord {
     int tried = 0;    ///< answers that were judged
-    int solved = 0;   ///< variants answered right, their solution not shown before
-    int streak = 0;   ///< of them, one after the other up to now
+    int solved = 0;   ///< variants answered correctly before their solution was shown
+    int streak = 0;   ///< how many of these in a row, up to now
     int variant = 0;  ///< number of the variant that comes next
 
     bool operator==(const ExerciseRecord&) const = default;
@@ -23,7 +23,7 @@ std::string progress_text(const ExerciseRecords& records);
 
 struct ProgressRead {
     ExerciseRecords records;
-    std::string problem;  ///< why the text is none of ours, as part of a sentence; empty if it is
+    std::string problem;  ///< why the text is not a progress file, as part of a sentence; empty if it is
 };
 ProgressRead read_progress(std::string text);
 

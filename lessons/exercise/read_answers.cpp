@@ -32,7 +32,7 @@ std::string value_text(const toml::node& node) {
     const toml::value<double>* const number = node.as_floating_point();
     if (number != nullptr && std::isfinite(number->get())) {
         const std::string text = writing::number_text(number->get());
-        // a number that is no integer in TOML stays none
+        // a TOML number that is not an integer must not become one
         return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
     }
     std::ostringstream out;
@@ -40,17 +40,17 @@ std::string value_text(const toml::node& node) {
     return out.str();
 }
 
-/// Copies keys of [[expect]] that are there.
+/// Copies those keys of [[expect]] that are there.
 void copy_keys(Fields& fields, std::span<const Key> keys, toml::table& to) {
     for (const Key& key : keys) {
         if (const toml::node* const node = fields.raw(key.name)) { to.insert(key.name, *node); }
     }
 }
 
-/// Reads the scene with these claims; what is wrong with them is said at the exercise.
+/// Reads the scene with these claims; mistakes in them are reported at the exercise.
 void check_claims_of(
     Fields& fields, const Exercise& exercise, const std::string& claims, std::string_view what) {
-    // what else is wrong would only be said twice
+    // other mistakes would only be reported twice
     if (exercise.scene.empty() || fields.problems().errors_count() > 0) { return; }
     const ReadResult read = read_lesson_with_claims(exercise.scene, exercise.scene_name, claims);
     if (read.lesson) { return; }
@@ -165,7 +165,7 @@ void read_items(Fields& fields, Exercise& exercise) {
     }
 }
 
-/// Hidden claims; without any, those of the scene.
+/// Reads the hidden claims; without any, those of the scene are used.
 void read_hidden(Fields& fields, Exercise& exercise) {
     if (const toml::node* const expect = fields.raw("expect")) {
         toml::table claims;

@@ -83,7 +83,7 @@ void read_frame(Fields& fields, Exercise& exercise) {
     }
 }
 
-/// The lesson of the catalogue that the exercise belongs to; within a lesson it is that one.
+/// The lesson of the catalogue that the exercise belongs to; in a lesson file, it is that lesson.
 void read_lesson_key(Fields& fields, Exercise& exercise) {
     const auto lesson = fields.text("lesson");
     if (!lesson) { return; }
@@ -123,7 +123,7 @@ void read_changes(Fields& fields, Exercise& exercise) {
         "the changed scene is no lesson: " + read.diagnostics.front().message, read.diagnostics.front().hint);
 }
 
-/// A file beside the exercises, or a lesson in place.
+/// Reads the scene: a file beside the exercises, or a lesson written in place.
 void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
     const auto scene = fields.text("scene");
     if (!scene) {
@@ -241,7 +241,7 @@ ExercisesRead read_exercises(std::string source, const fs::path& path) {
         Exercise defaults;
         const bool is_lesson = is_lesson_table(*table);
         if (is_lesson) {
-            // what else is wrong with the lesson is said by its own reader
+            // other mistakes in the lesson are reported by its own reader
             const ReadResult lesson = read_lesson(read.source, path.string());
             read.diagnostics = lesson.diagnostics;
             if (!lesson.lesson) { return read; }
@@ -265,7 +265,7 @@ ExercisesRead read_exercises(std::string source, const fs::path& path) {
 }
 
 ExerciseTables exercise_tables_in(const fs::path& path) {
-    // a pipe can be read once only
+    // a pipe can be read only once
     std::error_code error;
     if (!fs::is_regular_file(path, error)) { return ExerciseTables::none; }
     FileText file = read_file_text(path, kLargestExercises);

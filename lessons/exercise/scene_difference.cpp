@@ -11,7 +11,7 @@ namespace jw {
 
 namespace {
 
-// what a mechanism is; the others are its looks and words, or claims about it
+// keys of the mechanism itself; the others are its appearance, its texts, or claims about it
 constexpr std::array<std::string_view, 12> kMechanical{
     "body",  "joint",  "driver", "motion", "dynamics",          "order",
     "force", "torque", "spring", "format", "rotational_spring", "coordinates"};
@@ -126,22 +126,22 @@ private:
         if (order.before != order.after) { found.reordered.push_back(std::move(order)); }
     }
 
-    /// @param path of their list: which keys count depends on where they stand
+    /// @param path  of their list; it decides which keys are compared
     bool are_same(const std::string& path, const toml::node& a, const toml::node& b) const {
         Comparer inner(parts_);
         inner.compare(path, *a.as_table(), *b.as_table());
         return inner.found.count() == 0 && inner.found.reordered.empty();
     }
 
-    /// Entries that are the same stand in the same order in both; the others are compared where they have the
-    /// same number, else they are there in one list only.
+    /// Equal entries are matched in order. The remaining entries are compared if they have the same number in
+    /// both lists; otherwise they count as added or removed.
     void compare_nameless(const std::string& path, const toml::array& a, const toml::array& b) {
         if (a.size() == b.size() && is_other_order(path, a, b)) { return; }
         std::vector<std::size_t> removed;
         std::vector<std::size_t> added;
         std::size_t next = 0;
         for (std::size_t k = 0; k < a.size(); ++k) {
-            // of lists of one length the entries stand where they stood
+            // in lists of the same length, entries are matched by their number
             std::size_t same = a.size() == b.size() ? k : next;
             const std::size_t end = a.size() == b.size() ? k + 1 : b.size();
             while (same < end && !are_same(path, a[k], b[same])) { ++same; }
@@ -164,7 +164,7 @@ private:
         for (const std::size_t k : added) { found.added.push_back(below(path, std::to_string(k))); }
     }
 
-    /// Tells another order of entries that are the same. @return false if it is none
+    /// Finds out if both lists have the same entries, and records a different order. @return false if not
     bool is_other_order(const std::string& path, const toml::array& a, const toml::array& b) {
         OtherOrder order{path, {}, {}};
         std::vector<std::size_t> left;

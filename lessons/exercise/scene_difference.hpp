@@ -8,11 +8,11 @@ namespace jw {
 
 /// Parts of a lesson file that are compared.
 enum class SceneParts {
-    mechanics,  ///< what a mechanism is, without looks, words and claims
+    mechanics,  ///< the mechanism itself, without appearance, texts and claims
     all,
 };
 
-/// A list whose entries are there in another order.
+/// A list whose entries are in a different order.
 struct OtherOrder {
     std::string path;                 ///< "body"
     std::vector<std::string> before;  ///< names, or numbers from 0
@@ -21,15 +21,15 @@ struct OtherOrder {
     bool operator==(const OtherOrder&) const = default;
 };
 
-/// Keys whose values differ between two lesson files. A table that only one of them has counts once, by its
-/// own path: of an entry without a name its number in that file. The order of keys does not count.
+/// Keys whose values differ between two lesson files. A table that only one file has counts once, under its
+/// own path; an entry without a name is numbered as in that file. The order of keys does not matter.
 struct SceneDifference {
     std::vector<std::string> changed;
     std::vector<std::string> added;
     std::vector<std::string> removed;
     std::vector<OtherOrder> reordered;
 
-    /// Keys, whatever their order.
+    /// Number of keys, without lists in another order.
     std::size_t count() const { return changed.size() + added.size() + removed.size(); }
 };
 SceneDifference difference_of(

@@ -88,7 +88,7 @@ std::set<std::size_t> headers_of(const toml::table& root) {
     return lines;
 }
 
-/// Takes the lines of the tables that begin at `lines` out of the text.
+/// Removes the tables that begin at `lines` from the text.
 std::string without_headers(
     const std::string& text, const std::set<std::size_t>& all, const std::set<std::size_t>& lines) {
     const Places places(text);
@@ -120,7 +120,7 @@ std::string remove_node(
     return changed.erase(from, to - from);
 }
 
-/// A key that is not there yet is added after the header of its table.
+/// Adds a new key after the header of its table.
 std::string add_key(
     const std::string& text, const toml::node& parent, const SceneEdit& edit, const std::string& key) {
     const toml::table* const table = parent.as_table();
@@ -139,7 +139,7 @@ std::string edited(const std::string& text, const SceneEdit& edit) {
     parts.pop_back();
     toml::node* const parent = node_at(*root, parts);
     if (parent == nullptr || last.empty()) { return {}; }
-    // keys of the file as a whole would stand before its format
+    // new keys at the top of the file would come before its `format`
     if (node == nullptr && parts.empty()) { return {}; }
     if (node == nullptr) { return edit.value.empty() ? std::string() : add_key(text, *parent, edit, last); }
     if (edit.value.empty()) { return remove_node(text, *root, *node, *parent, last); }

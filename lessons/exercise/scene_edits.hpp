@@ -6,7 +6,7 @@
 
 #include "lessons/exercise/exercise.hpp"
 
-/// Changes of a lesson file as text, so that its comments and everything else stay as they are.
+/// Changes of a lesson file as text, so that its comments and everything else stay unchanged.
 ///
 /// A key is a path: "joint.B.axis", "body.dial.rotation.angle_deg", "driver.turn.polynomial_deg.1",
 /// "motion.to_s". Entries of a list of tables are named by their `name`, or by their number from 0.
@@ -14,17 +14,17 @@ namespace jw {
 
 struct EditedScene {
     std::string text;
-    std::string problem;  ///< "there is no 'joint.B.axis' in it"; empty if all could be done
+    std::string problem;  ///< "there is no 'joint.B.axis' in it"; empty if all edits could be made
 };
 
 /// The scene with the edits made one after the other.
 EditedScene with_edits(std::string scene, std::span<const SceneEdit> edits);
 
-/// The scene without all tables of these names, such as "expect", and without the comments that end in front
-/// of the first one of a block of them.
+/// The scene without the tables of these names, such as "expect". Each is removed up to the next header that
+/// stays, with the comments in front of that header.
 std::string without_tables(const std::string& scene, const std::vector<std::string>& names);
 
-/// The scene without `text` and `summary` of its own, and without those of its joints and drivers, in all
+/// The scene without the keys `text` and `summary` of the lesson, its joints and its drivers, in all
 /// languages.
 std::string without_texts(const std::string& scene);
 

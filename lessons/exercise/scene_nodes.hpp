@@ -7,10 +7,10 @@
 
 #include <toml++/toml.h>
 
-/// A lesson file as a tree of TOML, for those who change and compare it.
+/// A lesson file as a TOML tree, for changing and comparing it.
 namespace jw {
 
-/// Nothing if it is no TOML.
+/// Nothing if the text is not TOML.
 inline std::optional<toml::table> scene_tree(const std::string& text) {
     try {
         return toml::parse(text);

@@ -24,7 +24,7 @@ constexpr std::array kSettings{
     EnumWord<Setting>{Setting::behind, "behind"}, EnumWord<Setting>{Setting::masses, "masses"},
     EnumWord<Setting>{Setting::course, "course"}, EnumWord<Setting>{Setting::path, "path"}};
 
-/// Exercises come last among the groups: their codes are the second half of the eight hundreds.
+/// Exercises are the last group: their codes are the second half of the eight hundreds.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kGroups{
     {{"JW1", "The file"},
      {"JW2", "Keys and types"},
@@ -41,7 +41,8 @@ struct Texts {
     std::map<std::string, std::string> parts;  ///< of the lesson that examples continue
 };
 
-/// Parts by their names: "=== NAME" begins one that stands alone or a page, "--- NAME" one of a page.
+/// Splits a text into named parts: "=== NAME" begins a page or a part of its own, "--- NAME" a part of a
+/// page.
 class TextReader {
 public:
     void take(const std::string& line) {

@@ -7,7 +7,7 @@
 /// Keys of claims, questions, trials and texts of steps.
 namespace jw::format {
 
-/// Largest number of rows, columns, ... that is claimed.
+/// Largest number of rows, columns, ... that a claim can give.
 inline constexpr int kMostCounted = 100000;
 
 /// Primitives of all types of joints, once each.

@@ -32,7 +32,7 @@ constexpr std::array kAny{
     UnitEnding{"_deg_per_s2", "deg/s²"},
     UnitEnding{"_rad_per_s2", "rad/s²"}};
 
-/// Unit of a key's numbers where no ending tells it: beside its name, or in it.
+/// Unit of a key's numbers that no ending gives: from `unit`, or from the name.
 std::string unit_of(const Key& key) {
     constexpr std::array in_name{
         UnitEnding{"_rad_per_s", "rad/s"}, UnitEnding{"_hz", "Hz"}, UnitEnding{"_s", "s"}};
@@ -99,7 +99,7 @@ std::string unit_of_key(std::string_view path) {
             const auto key = std::ranges::find(keys, name, &SpelledKey::name);
             return key != keys.end() ? key->unit : "";
         }
-        // what is no key is the name or the number of an entry
+        // a part that is not a key is the name or the number of an entry
         const Key* key = find_key(*table, name);
         if (key != nullptr && !key->table.empty()) { table = &key_table(key->table); }
         path.remove_prefix(end + 1);

@@ -10,7 +10,7 @@ std::string bold(const std::string& letter, char body, const std::string& marks 
 
 std::string tilde(const std::string& symbol) { return "\\tilde{\\mathbf{" + symbol + "}}"; }
 
-/// Derivative of the arm A s′ of a body, the only thing that depends on the choice of coordinates.
+/// Derivative of the arm A s′ of a body, the only part that depends on the choice of coordinates.
 /// @param mark  "P" or "B" for an arm to a point, nothing for an axis
 std::string arm(CoordinateChoice coordinates, const std::string& letter, char body, const std::string& mark) {
     const std::string index = std::string("_") + body;

@@ -6,7 +6,7 @@
 #include "core/jets/coordinates.hpp"
 #include "core/model/joint_types.hpp"
 
-/// The tables of slides 20 to 22: what a block of Φq is, as a formula.
+/// The tables of slides 20 to 22: the formula of each block of Φq.
 namespace jw::formula {
 
 /// A block: the derivative of a primitive by r or by the orientation of body i or j.
@@ -20,8 +20,8 @@ struct Block {
 /// "\Phi_{\omega'_i}"
 std::string block_name(const Block& block);
 
-/// "\mathbf{s}_j^T (-\tilde{...} ...)": the right side; nothing for primitives without such a formula (those
-/// of screws, and pairs), "0" where the primitive does not depend on it.
+/// The right side, "\mathbf{s}_j^T (-\tilde{...} ...)"; nothing for primitives without such a formula (those
+/// of screws, and pairs), "0" where the primitive does not depend on these coordinates.
 std::optional<std::string> block_formula(const Block& block);
 
 }  // namespace jw::formula

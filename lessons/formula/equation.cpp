@@ -15,8 +15,8 @@ using math::SignKind;
 
 bool is_equality(const Node& node) { return is_sign(node, "=") || is_sign(node, "≡"); }
 
-/// Digits with which two sides are told; of sides that differ, the entries that are farthest apart read
-/// differently.
+/// Number of digits for printing the two sides. If they differ, the entries that are farthest apart are
+/// printed differently.
 int digits_of(const Value& a, const Value& b, bool differ) {
     const int few = a.is_number() || b.is_number() ? 6 : 4;
     const bool have_entries = a.kind == Value::Kind::matrix && b.kind == Value::Kind::matrix;

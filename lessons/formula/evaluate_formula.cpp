@@ -55,7 +55,7 @@ private:
         throw NotEvaluated({node.from, std::move(message), std::move(hint)});
     }
 
-    /// Runs `f`; what does not fit is reported at `node`.
+    /// Runs `f`; shapes that do not fit are reported at `node`.
     template <class F>
     static Value at(const Node& node, F&& f) {
         try {
@@ -148,7 +148,7 @@ private:
         return with_superscript(at(open, [&] { return length(value); }), close);
     }
 
-    /// Order of d/dt or d²/dt²; 0 for a fraction that is no such operator.
+    /// Order of d/dt or d²/dt²; 0 for a fraction that is not such an operator.
     static int order_of_operator(const Node& node, const math::Fraction& f) {
         const bool over = f.above.size() == 1 && is_sign(f.above[0], "d");
         const bool under = f.below.size() == 2 && is_sign(f.below[0], "d") && is_sign(f.below[1], "t");
@@ -164,7 +164,7 @@ private:
         return is_kind(node, SignKind::opening) || (group != nullptr && !group->open.empty());
     }
 
-    /// Derivative of what stands in parentheses, or of all of the product that follows.
+    /// Derivative of the expression in parentheses, or of the whole product that follows.
     Value differentiated(Cursor& cursor, const Node& node, int order) const {
         if (cursor.at_end()) { fail(node, "nothing stands after this operator"); }
         Value value = in_brackets(cursor.peek()) ? factor(cursor) : term(cursor);
@@ -377,7 +377,7 @@ private:
         return script.transposed ? transposed(raised) : raised;
     }
 
-    /// For what is no symbol: only transposes and powers may stand there.
+    /// For nodes that are not symbols: they may have only transposes and powers.
     Value with_superscript(const Value& value, const Node& node) const {
         Superscript script;
         if (!node.below.empty() || !read_superscript(node.above, script)) {

@@ -14,9 +14,9 @@
 /// Evaluates formulas as they stand on a slide. docs/writing-a-lesson.md says what can be written.
 namespace jw::formula {
 
-/// What a symbol stands for; nothing if it is unknown.
+/// Meaning of a symbol; nothing if it is unknown.
 using Lookup = std::function<std::optional<Value>(const Symbol&)>;
-/// What the words of \text stand for: a quantity by its name.
+/// Meaning of the words in \text: a quantity by its name.
 using WordLookup = std::function<std::optional<Value>(const std::string&)>;
 
 struct Meanings {
@@ -24,11 +24,11 @@ struct Meanings {
     WordLookup words;
 };
 
-/// Difference of the sides of an equation; of a chain the largest.
+/// Difference between the sides of an equation; in a chain, the largest difference.
 struct Outcome {
-    std::optional<math::Problem> problem;  ///< why it cannot be evaluated, at a byte of its source
+    std::optional<math::Problem> problem;  ///< why it cannot be evaluated, and at which byte of its source
     bool misfit = false;                   ///< its symbols are known, but their shapes do not fit
-    bool no_value = false;                 ///< it fits, but a function has no value at this state
+    bool no_value = false;                 ///< the shapes fit, but a function has no value in this state
     int definition = -1;                   ///< which definition is wrong, -1: the equation itself
     Comparison apart;
     std::string left;   ///< value of the side before the relation with the largest difference, for messages
@@ -40,7 +40,7 @@ struct Outcome {
 Outcome evaluate_equation(
     const math::Row& equation, const std::vector<math::Row>& where, const Meanings& meanings);
 
-/// Why a formula has no value, at a byte of its source.
+/// Why a formula does not have a value, and at which byte of its source.
 class NotEvaluated : public std::runtime_error {
 public:
     enum class Reason { text, shapes, no_value };
@@ -57,7 +57,7 @@ private:
 /// Evaluates an expression without a relation.
 /// @throws NotEvaluated
 Value evaluate_expression(const math::Row& expression, const Meanings& meanings);
-/// The same after the definitions `where`.
+/// The same, with the definitions `where`.
 Value evaluate_expression(
     const math::Row& expression, const std::vector<math::Row>& where, const Meanings& meanings);
 

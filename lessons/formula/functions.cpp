@@ -13,16 +13,16 @@ namespace {
 
 using Kind = Value::Kind;
 
-// products in a row: no formula has more
+// the highest power that is computed by repeated products: no formula has a higher one
 constexpr double kHighestPower = 100.0;
-// a square is off by this share of its terms where it should be zero
+// rounding of a square that should be zero, relative to its terms
 constexpr double kRounding = 1e-12;
 
-/// A derivative by the chain rule: what stands still has none, however steep the function is.
+/// A derivative by the chain rule; it is zero for an argument at rest, however steep the function is.
 double chained(double slope, double rate) { return rate == 0.0 ? 0.0 : slope * rate; }
 
-/// Limits the scale of a function that is as steep as x^n at 0: an error d of its argument changes it by d^n
-/// at most.
+/// Limits the scale of a function that is as steep as x^n at 0: an error d of its argument changes it by at
+/// most d^n.
 void limit_scale(Value& out, const Value& argument, double n) {
     const double share = known_share(argument);
     const double most = elementary::pow(share * argument.scale[0], n) / share;
@@ -40,12 +40,12 @@ Value arc_cosine(const Value& a) {
 
 Value rank(const Value& x) {
     Eigen::ColPivHouseholderQR<MatrixX> qr(x.d[0]);
-    // entries are of the size of 1 and known to 15 digits
+    // entries are about 1 and known to 15 digits
     qr.setThreshold(1e-9);
     return number(static_cast<double>(qr.rank()));
 }
 
-/// The number of the component with the largest or smallest size, from 1.
+/// The number of the component with the largest or smallest absolute value, from 1.
 Value place_of_extreme(const Value& x, bool largest) {
     if (!x.is_vector()) {
         throw Mismatch("a component is chosen of " + shape_text(x) + "; expected a vector");
@@ -75,7 +75,7 @@ Value function_of(const Value& a, double value, double first, double second) {
         as_matrix(value), as_matrix(chained(first, rate)),
         as_matrix(chained(second * rate, rate) + chained(first, acceleration)), a.order);
     out.is_literal = a.is_literal;
-    // an argument that is a small difference of large terms passes its rounding on
+    // an argument that is a small difference of large terms passes on its rounding
     out.scale[0] = std::max(out.scale[0], std::abs(first) * a.scale[0]);
     out.scale[1] =
         std::max({out.scale[1], std::abs(first) * a.scale[1], std::abs(second * rate) * a.scale[0]});

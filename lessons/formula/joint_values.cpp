@@ -87,7 +87,7 @@ private:
         return stacked({{i.r}, {i.p}, {j.r}, {j.p}});
     }
 
-    /// The angle of the joint, which is θ of a screw.
+    /// The angle of the joint; for a screw, this is θ.
     std::optional<Value> theta() const {
         const auto measures = measures_of(instant_->system->mechanism(), index_);
         for (const MeasureQuantity& m : measures) {
@@ -171,7 +171,7 @@ private:
         Value phi = moving(
             stack(all, &ConstraintTerms::value), stack(all, &ConstraintTerms::rate), second,
             instant_->acceleration ? 2 : 1);
-        // where Φ = 0, its terms are not
+        // Φ = 0 is a sum of terms that are not 0
         for (const Constraint& c : instant_->system->constraints()) {
             if (c.joint == index_) { phi.scale[0] = std::max(phi.scale[0], c.unit); }
         }

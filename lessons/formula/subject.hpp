@@ -9,11 +9,11 @@
 
 namespace jw::formula {
 
-/// What a formula speaks of.
+/// The joint, body or system that a formula is about.
 struct Subject {
     int joint = -1;            ///< its bodies are i and j; -1: none
-    int body = -1;             ///< symbols without index are its own; -1: none
-    std::optional<Role> role;  ///< Φ is that of this primitive of the joint; nothing: of all of them
+    int body = -1;             ///< symbols without index belong to it; -1: none
+    std::optional<Role> role;  ///< Φ is that of this primitive of the joint; nothing: of all its primitives
     CoordinateChoice coordinates =
         CoordinateChoice::omega_local;  ///< of the whole system, where neither is given
 
@@ -22,8 +22,8 @@ struct Subject {
 
 /// An equation as a slide writes it.
 struct Formula {
-    std::string source;              ///< as docs/mathematics.md says
-    std::vector<std::string> where;  ///< definitions "symbol = expression", each may use those before it
+    std::string source;              ///< in the notation of docs/mathematics.md
+    std::vector<std::string> where;  ///< definitions "symbol = expression", each may use earlier ones
     Subject subject;
 
     bool operator==(const Formula&) const = default;

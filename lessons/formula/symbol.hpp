@@ -7,8 +7,8 @@
 /// Names of the symbols in a formula.
 namespace jw::formula {
 
-/// A letter with its primes, marks and index, without accents, transpose or power: of `\dot{\mathbf{s}}_i'^{P
-/// T}` the letter s, one prime, the mark P and the index i.
+/// A letter with its primes, marks and index, without accents, transpose or power. `\dot{\mathbf{s}}_i'^{P
+/// T}` has the letter s, one prime, the mark P and the index i.
 struct Symbol {
     std::string letter;
     int primes = 0;
@@ -18,20 +18,20 @@ struct Symbol {
     bool operator==(const Symbol&) const = default;
 };
 
-/// As it is said in messages: "s′_i^P".
+/// Name of the symbol in messages: "s′_i^P".
 std::string name_of(const Symbol& symbol);
 
-/// What stands above a symbol besides its primes and marks.
+/// What stands above a symbol, without its primes and marks.
 struct Superscript {
     bool transposed = false;
     math::Row power;  ///< an expression; empty: there is none
 };
 
-/// Splits what stands at a letter; `index` is written without spaces.
+/// Splits the scripts of a letter; `index` is written without spaces.
 Symbol symbol_of(
     const std::string& letter, const math::Row& below, const math::Row& above, Superscript& script);
 
-/// Transposes and powers of something that is no symbol. @return false if anything else stands there
+/// Reads transposes and powers of something that is not a symbol. @return false if anything else stands there
 bool read_superscript(const math::Row& above, Superscript& script);
 
 }  // namespace jw::formula

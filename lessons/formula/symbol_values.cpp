@@ -28,14 +28,15 @@ std::optional<Value> value_of_quantity(const Instant& instant, const std::string
     if (!read || read->wants_point) { return std::nullopt; }
     const QuantityValue v = evaluate(read->named.quantity, instant, read->named.derivative);
     const double value = v.derivatives[jw::at(read->named.derivative)];
-    // a quantity without a value here, such as a reaction of a pose that is no motion, makes every claim fail
+    // a quantity without a value here, such as a reaction in a pose that is not part of a motion, fails all
+    // claims
     Value number_value = number(value);
     number_value.order = 0;
     return number_value;
 }
 
-/// Normally distributed numbers by Marsaglia's polar method. std::normal_distribution is another one in each
-/// standard library; this is how GCC's computes it.
+/// Normally distributed numbers by Marsaglia's polar method. std::normal_distribution differs between
+/// standard libraries; this class computes as GCC's does.
 class NormalNumbers {
 public:
     explicit NormalNumbers(unsigned seed) : random_(seed) {}

@@ -6,18 +6,18 @@
 #include "lessons/formula/evaluate_formula.hpp"
 #include "lessons/formula/subject.hpp"
 
-/// Symbols of the book and what they are at an instant of a mechanism.
+/// Values of the book's symbols at an instant of a mechanism.
 namespace jw::formula {
 
-/// Meanings at an instant that knows state and velocity, and accelerations if they are asked for.
-/// The instant must outlive them.
+/// Meanings at an instant that has a state and velocities, and also accelerations if a formula needs them.
+/// The instant must outlive the meanings.
 Meanings meanings_of(const Subject& subject, const Instant& instant);
 
-/// The equation at an instant.
+/// Evaluates the equation at an instant.
 Outcome evaluate_at(const Formula& formula, const Instant& instant);
 
-/// An instant of `system` with arbitrary unit p, positions, velocities and accelerations of all bodies, the
-/// fixed ones included: the same for the same seed.
+/// An instant of `system` with arbitrary unit p, positions, velocities and accelerations of all bodies, fixed
+/// ones included. The same seed gives the same instant.
 Instant arbitrary_instant(std::shared_ptr<const System> system, unsigned seed);
 
 }  // namespace jw::formula

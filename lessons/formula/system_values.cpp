@@ -70,7 +70,7 @@ private:
         const bool accelerated = instant_->acceleration.has_value();
         const VectorX second = accelerated ? VectorX(jacobian * columns(2) - assembler_.gamma()) : rate;
         Value phi = moving(assembler_.phi(), rate, second, accelerated ? 2 : 1);
-        // where these are zero, their terms are not
+        // values of 0 are sums of terms that are not 0
         for (int row = 0; row < system_->rows(); ++row) {
             phi.scale[0] = std::max(phi.scale[0], system_->row_unit(row));
         }
@@ -167,7 +167,7 @@ private:
         return Q;
     }
 
-    /// The smallest ones that the motion needs.
+    /// The multipliers of smallest norm that give the motion.
     VectorX multipliers() {
         const MatrixX transposed = assembler_.jacobian().transpose();
         const VectorX missing = mass_matrix() * columns(2) - forces();

@@ -12,7 +12,7 @@ namespace {
 
 void append_row(math::Row& to, const math::Row& more) { to.insert(to.end(), more.begin(), more.end()); }
 
-/// Primes and marks stay, transposes and powers go.
+/// Keeps primes and marks, removes transposes and powers.
 math::Row superscripts_of_name(const math::Row& above) {
     math::Row kept;
     int depth = 0;
@@ -31,7 +31,7 @@ struct Bared {
     std::vector<math::AccentKind> dots;
 };
 
-/// Takes the accents off a letter; nothing if something else is below them.
+/// Removes the accents of a letter; nothing if they are above something else.
 std::optional<Bared> bared(const math::Node& node) {
     if (is_kind(node, math::SignKind::letter)) { return Bared{node, {}}; }
     const auto* const accent = std::get_if<math::Accent>(&node.nucleus);

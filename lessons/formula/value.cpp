@@ -13,17 +13,17 @@ namespace {
 
 using Kind = Value::Kind;
 
-// Share of kKnown to which numbers as they are written are known: what rounding of some operations leaves.
+// Accuracy of written numbers, as a share of kKnown: what the rounding of some operations leaves.
 constexpr double kLiteral = 1e-5;
 
 double largest(const MatrixX& m) { return m.size() == 0 ? 0.0 : m.cwiseAbs().maxCoeff(); }
 
 MatrixX times(const MatrixX& a, const MatrixX& b) { return a * b; }
 
-/// The largest term of the k-th derivative: of literals the share that counts beside what is no literal.
+/// The largest term of the k-th derivative; that of a literal is reduced to its smaller error.
 double known_scale(const Value& a, std::size_t k) { return a.scale[k] * (known_share(a) / kKnown); }
 
-/// Bound of the entries of the k-th derivative: terms of a sum may be known far better than to kKnown of it.
+/// Bound of the entries of the k-th derivative: literals in a sum add less to `scale` than to the entries.
 double size_of(const Value& a, std::size_t k) { return std::max(a.scale[k], largest(a.d[k])); }
 
 /// Applies a linear map to value and derivatives.
@@ -65,7 +65,7 @@ Value by_product_rule(const Value& a, const Value& b, double terms, F&& multiply
     Value out;
     out.is_literal = a.is_literal && b.is_literal;
     out.order = std::min(a.order, b.order);
-    // each factor passes on what it is off by, as many times as the other is large
+    // each factor passes on its error, times the size of the other factor
     const auto scale = [&](std::size_t k, std::size_t l) {
         if (out.is_literal) { return a.scale[k] * b.scale[l]; }
         return std::max(size_of(a, k) * known_scale(b, l), known_scale(a, k) * size_of(b, l));
@@ -310,7 +310,7 @@ Sizes sizes_of(const Blocks& blocks) {
             if (sizes.heights[r] == 0) { sizes.heights[r] = sizes.widths[c]; }
         }
     }
-    // where nothing says how large they are, blocks are those of a position or an angular velocity
+    // blocks of unknown size have the size of a position or an angular velocity
     const Eigen::Index otherwise = numbers_only ? 1 : 3;
     for (Eigen::Index& size : sizes.heights) { size = size == 0 ? otherwise : size; }
     for (Eigen::Index& size : sizes.widths) { size = size == 0 ? otherwise : size; }

@@ -7,22 +7,22 @@
 
 #include "core/numerics/linear.hpp"
 
-/// Numbers, vectors and matrices that a formula works with, each with its first and second time derivative:
-/// the product rule is applied here, so that a dot in a formula is a true derivative.
+/// Numbers, vectors and matrices of a formula, each with its first and second time derivative. The product
+/// rule is applied here, so that a dot in a formula is a true derivative.
 namespace jw::formula {
 
-/// Share of its largest term to which a value of the motion is known: poses are assembled to 1e-13, and
-/// velocities solved to some digits less. A wrong sign, dot or index changes a formula by something of the
-/// size of its terms.
+/// Accuracy of a value of the motion relative to its largest term: poses are assembled to 1e-13, and
+/// velocities are solved to some digits less. A wrong sign, dot or index changes a formula by about the size
+/// of its terms.
 constexpr double kKnown = 1e-9;
 
-/// Shapes do not fit, or a derivative is not known.
+/// The shapes do not fit, or a derivative is not known.
 class Mismatch : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A function has no value there: a division by zero, a root of a negative number.
+/// A function does not have a value there: a division by zero, a root of a negative number.
 class NoValue : public Mismatch {
 public:
     using Mismatch::Mismatch;
@@ -37,8 +37,8 @@ struct Value {
     Kind kind = Kind::matrix;
     int order = 2;                ///< derivatives that are known: 0, 1 or 2
     std::array<MatrixX, 3> d;     ///< value, rate, acceleration
-    std::array<double, 3> scale;  ///< largest term that each is a sum of: rounding is a part of this
-    bool is_literal = false;      ///< made of numbers as they are written: rounding is all that it is off by
+    std::array<double, 3> scale;  ///< largest term of the sum that gives each; rounding is relative to it
+    bool is_literal = false;      ///< made of written numbers only: its only error is rounding
 
     Eigen::Index rows() const { return d[0].rows(); }
     Eigen::Index cols() const { return d[0].cols(); }
@@ -48,14 +48,14 @@ struct Value {
 
 Value constant(const MatrixX& value);
 Value number(double value);
-/// A number as it is written.
+/// A number that is written in the formula.
 Value literal(double value);
 /// @param order of the last derivative that is known
 Value moving(const MatrixX& value, const MatrixX& rate, const MatrixX& acceleration, int order);
 Value zero();
 Value identity();
 
-/// Share of its largest term to which a value is known: kKnown, of literals what rounding leaves.
+/// Accuracy of a value relative to its largest term: kKnown; for literals, what rounding leaves.
 double known_share(const Value& a);
 
 /// "3 x 4", "a number"
@@ -67,7 +67,7 @@ Value difference(const Value& a, const Value& b);
 Value product(const Value& a, const Value& b);
 Value quotient(const Value& a, const Value& b);
 Value cross(const Value& a, const Value& b);
-/// Of two vectors; otherwise the product.
+/// Scalar product of two vectors; otherwise the product.
 Value dot(const Value& a, const Value& b);
 Value transposed(const Value& a);
 Value inverse(const Value& a);
@@ -76,7 +76,7 @@ Value skew(const Value& a);
 /// 4x4 minus operator of slide 21 of a vector.
 Value minus_operator(const Value& a);
 Value determinant(const Value& a);
-/// The same with rounding of its own size, not of the terms that it was computed from.
+/// The same value, with rounding relative to its own size, not to the terms that it was computed from.
 Value known(Value a);
 Value derivative(const Value& a);
 Value component(const Value& a, Eigen::Index row);
@@ -86,7 +86,7 @@ Value stacked(const std::vector<std::vector<Value>>& blocks);
 /// Difference of two values.
 struct Comparison {
     double difference = 0.0;  ///< largest entry
-    double scale = 0.0;       ///< largest term of either side; literals count by what they are off by
+    double scale = 0.0;       ///< largest term of either side; literals count in proportion to their error
 };
 /// @throws Mismatch if the shapes differ
 Comparison compared(const Value& a, const Value& b);

@@ -47,7 +47,7 @@ struct Words {
 
     bool operator==(const Words&) const = default;
 };
-/// A space of its own.
+/// An explicit space.
 struct Space {
     double em = 0.0;
 
@@ -87,7 +87,7 @@ struct Matrix {
     bool operator==(const Matrix&) const;
 };
 
-/// A thing with what stands at its lower and upper right.
+/// A nucleus with its scripts at the lower and upper right.
 struct Node {
     std::variant<Sign, Words, Space, Fraction, Root, Accent, Group, Matrix> nucleus;
     Row below;             ///< subscript
@@ -106,9 +106,9 @@ inline bool Accent::operator==(const Accent&) const = default;
 inline bool Group::operator==(const Group&) const = default;
 inline bool Matrix::operator==(const Matrix&) const = default;
 
-/// True if the node is this sign, in any alphabet, whatever its scripts.
+/// True if the node is this sign, in any alphabet and with any scripts.
 bool is_sign(const Node& node, const char* utf8);
-/// True if the node is a sign of that kind, whatever its scripts.
+/// True if the node is a sign of that kind, with any scripts.
 bool is_kind(const Node& node, SignKind kind);
 
 }  // namespace jw::math

@@ -12,7 +12,7 @@ namespace jw::math {
 
 namespace {
 
-// deeper nesting is no formula that anyone reads
+// nobody reads a formula with deeper nesting
 constexpr int kDeepest = 40;
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -120,7 +120,7 @@ private:
         }
     }
 
-    /// True before {(, with which names like (p1,2) begin: all that is in them is upright.
+    /// True before {(, the beginning of names like (p1,2); everything in them is upright.
     bool begins_name() {
         const std::size_t at = at_;
         const bool begins = take("{") && next_token() == "(";
@@ -138,7 +138,7 @@ private:
         }
     }
 
-    /// Indices are not bold with their letter.
+    /// The index of a bold letter is not bold.
     static Alphabet inner_alphabet(Alphabet alphabet) {
         return alphabet == Alphabet::bold ? Alphabet::italic : alphabet;
     }
@@ -161,7 +161,7 @@ private:
         return row;
     }
 
-    /// A row of nothing but a group in braces is what is in it.
+    /// A row that is only a group in braces becomes the content of that group.
     static Row opened(Row row) {
         const Group* const group = row.size() == 1 ? std::get_if<Group>(&row[0].nucleus) : nullptr;
         const bool bare = group != nullptr && group->open.empty() && group->close.empty() &&

@@ -23,8 +23,8 @@ struct Reading {
 /// Reads a formula without its dollar signs.
 Reading read_math(std::string_view source);
 
-/// The formula of a program's own source, which is right.
-/// @throws std::invalid_argument with the message otherwise
+/// Reads a formula that is written in the program's own source and must be right.
+/// @throws std::invalid_argument with the message if it is wrong
 Row own_math(std::string_view source);
 
 }  // namespace jw::math

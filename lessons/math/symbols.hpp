@@ -5,7 +5,7 @@
 
 #include "lessons/math/math.hpp"
 
-/// The commands of the notation; docs/mathematics.md lists them, and a test compares.
+/// The commands of the notation; docs/mathematics.md lists them, and a test compares both lists.
 namespace jw::math {
 
 /// A command that stands for one sign.
@@ -25,7 +25,7 @@ struct AccentCommand {
     std::string_view command;  ///< "\\tilde"
     AccentKind kind = AccentKind::tilde;
     std::string_view combining;  ///< character that stands over the one before it
-    std::string_view over;       ///< the same as a sign of its own, for MathML
+    std::string_view over;       ///< the same as a separate sign, for MathML
 };
 std::span<const AccentCommand> accents();
 const AccentCommand& accent_of(AccentKind kind);

@@ -8,7 +8,7 @@ namespace jw::math {
 
 namespace {
 
-/// Where the formula that starts at `from` ends: at its dollar signs, not at an escaped one.
+/// End of the formula that starts at `from`: at its closing dollar signs, not at an escaped one.
 std::size_t end_of_formula(std::string_view text, std::size_t from, std::string_view mark) {
     for (std::size_t at = from; at < text.size(); ++at) {
         if (text[at] == '\\') {
@@ -34,7 +34,7 @@ void add_formula(TextParts& parts, std::string_view source, std::size_t from, Te
     parts.parts.push_back({kind, std::string(source), std::move(reading.row)});
 }
 
-/// Where what begins with the backtick at `from` ends, in its line.
+/// End of the code that begins with the backtick at `from`, in its line.
 std::size_t end_of_code(std::string_view text, std::size_t from) {
     const std::size_t end = text.find_first_of("`\n", from + 1);
     return end != std::string_view::npos && text[end] == '`' ? end : std::string_view::npos;

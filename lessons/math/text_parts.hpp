@@ -6,7 +6,7 @@
 
 #include "lessons/math/read_math.hpp"
 
-/// Texts with formulas between dollar signs, and what stands in files between backticks.
+/// Texts with formulas between dollar signs, and with text as typed in files between backticks.
 namespace jw::math {
 
 struct TextPart {
@@ -17,8 +17,8 @@ struct TextPart {
         code,     ///< `...`, as it is typed
     };
     Kind kind = Kind::words;
-    std::string words;  ///< without escapes; of a formula its source
-    Row row;            ///< of a formula; what could be read of it
+    std::string words;  ///< without escapes; for a formula, its source
+    Row row;            ///< the formula, as far as it could be read
 };
 
 struct TextParts {
@@ -26,14 +26,14 @@ struct TextParts {
     std::vector<Problem> problems;  ///< at bytes of the text
 };
 
-/// `\$` is a dollar sign. A dollar sign without its second one is a problem, and the rest is words; a
-/// backtick without its second one in the line is words.
+/// `\$` is a dollar sign. An unpaired dollar sign is a problem, and the rest of the text is words. A backtick
+/// without a second one in its line is words.
 TextParts text_parts(std::string_view text);
 
-/// True if there is more than words in the text.
+/// True if the text consists of more than words.
 bool has_marks(std::string_view text);
 
-/// The text in Unicode alone, for terminals, tables and names; backticks stay.
+/// The text in plain Unicode, for terminals, tables and names; backticks stay.
 std::string plain_words(std::string_view text);
 
 }  // namespace jw::math

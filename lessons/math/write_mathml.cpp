@@ -28,7 +28,7 @@ std::string element(std::string_view name, const std::string& inner, std::string
     return "<" + std::string(name) + std::string(attributes) + ">" + inner + "</" + std::string(name) + ">";
 }
 
-/// A run of letters and where Unicode has it in bold: MathML Core has no other way to bold letters.
+/// A range of letters and its bold letters in Unicode: MathML Core has no other way to set bold letters.
 struct BoldRun {
     std::uint32_t first;
     std::uint32_t last;
@@ -57,13 +57,13 @@ std::string bold(const std::string& utf8) {
     return escaped(utf8);
 }
 
-/// True if an operation behind this sign has nothing on its left: a sign of a number, not a difference.
+/// True if an operation after this sign has no left operand: it is a sign of a number, not a difference.
 bool leaves_nothing(const Sign& sign) {
     return sign.kind == SignKind::operation || sign.kind == SignKind::relation ||
            sign.kind == SignKind::opening || sign.kind == SignKind::punctuation;
 }
 
-/// @param first  nothing on its left belongs to it
+/// @param first  the sign has no left operand
 std::string sign_mathml(const Sign& sign, bool first) {
     switch (sign.kind) {
         case SignKind::number:
@@ -83,7 +83,7 @@ std::string sign_mathml(const Sign& sign, bool first) {
         case SignKind::large:
         case SignKind::ordinary: break;
     }
-    // by itself MathML takes it for a difference wherever something stands before it
+    // MathML would otherwise take it for a difference wherever something precedes it
     const bool prefix = first && sign.kind == SignKind::operation;
     return element("mo", escaped(sign.utf8), prefix ? " form=\"prefix\"" : "");
 }
@@ -136,7 +136,7 @@ std::string node_mathml(const Node& node, bool first) {
     return element("msubsup", nucleus + row_mathml(node.below) + row_mathml(node.above));
 }
 
-/// One element, whatever the number of nodes.
+/// One element for any number of nodes.
 std::string row_mathml(const Row& row) {
     if (row.size() == 1) { return node_mathml(row[0], true); }
     std::string inner;

@@ -28,7 +28,7 @@ constexpr std::array kSuperscripts{
     Small{"B", "ᴮ"}, Small{"+", "⁺"}, Small{"−", "⁻"}, Small{"′", "′"}, Small{"#", "#"},
 };
 
-/// The signs of a script in small letters; nothing if one has none.
+/// The signs of a script as small letters; nothing if one of them has no small letter.
 template <std::size_t N>
 std::optional<std::string> in_small(const Row& row, const std::array<Small, N>& table) {
     std::string text;
@@ -85,7 +85,7 @@ std::string superscript_of(Row row) {
     return primes + "^" + as_one(row);
 }
 
-/// Over the first character, so that it also reads well over a word.
+/// Puts the accent over the first character, so that it is also readable over a word.
 std::string accented(const Accent& accent) {
     std::string inner = write_plain(accent.inner);
     if (!is_one_sign(accent.inner)) { inner = in_parentheses(inner); }
@@ -124,7 +124,7 @@ std::string nucleus_text(const Node& node) {
 
 bool is_space(const Node& node) { return std::holds_alternative<Space>(node.nucleus); }
 
-/// A minus after these is a sign of what follows.
+/// A minus after these is the sign of what follows.
 bool awaits_operand(const Node& node) {
     return is_kind(node, SignKind::relation) || is_kind(node, SignKind::operation) ||
            is_kind(node, SignKind::opening) || is_kind(node, SignKind::punctuation) || is_space(node);

@@ -40,7 +40,7 @@ std::optional<PixelArea> changed_area(const Image& before, const Image& now) {
     int left = now.width;
     int right = 0;
     for (int y = top; y < bottom; ++y) {
-        // only what would make the rectangle wider is looked at
+        // looks only at pixels that would make the rectangle wider
         int x = 0;
         while (x < left && are_equal(before, now, x, y, 1)) { ++x; }
         left = std::min(left, x);
@@ -94,7 +94,7 @@ void Animation::write_waiting() {
     if (!shown_) {
         write(*waiting_, {0, 0, waiting_->width, waiting_->height}, nullptr, seconds_);
     } else {
-        // never equal: an equal one has prolonged the one before
+        // never equal: an equal picture has made the previous one longer
         const PixelArea area = changed_area(*shown_, *waiting_).value();
         write(*waiting_, area, &*shown_, seconds_);
     }

@@ -12,7 +12,7 @@ namespace {
 
 using PngBytes = std::vector<std::uint8_t>;
 
-/// Data of the first chunk of a type in a PNG of ours, which has one of each.
+/// Data of the first chunk of a type in a PNG of this program, which has one of each type.
 std::span<const std::uint8_t> chunk_of(const PngBytes& png, std::string_view type) {
     PngChunks chunks(png);
     std::optional<PngChunk> chunk = chunks.next();
@@ -20,7 +20,7 @@ std::span<const std::uint8_t> chunk_of(const PngBytes& png, std::string_view typ
     return chunk.value().data;
 }
 
-/// Each picture is compressed as a PNG of its own; its data go into chunks of the one file.
+/// Compresses each picture as a separate PNG; the data of all of them go into the chunks of one file.
 class Apng : public Animation {
 public:
     explicit Apng(Repeat repeat) : repeat_(repeat) {}
@@ -37,7 +37,7 @@ protected:
             append_png_chunk(file_, "acTL", PngBytes(8));
         }
         int ticks = time_.next(seconds, 1);
-        // a time that two bytes cannot hold is that of several equal pictures
+        // a time that does not fit into two bytes is split between several equal pictures
         put_picture(png, area, std::min(ticks, kMostTicks));
         while ((ticks -= kMostTicks) > 0) { put_picture(png, area, std::min(ticks, kMostTicks)); }
     }
@@ -54,7 +54,7 @@ protected:
     }
 
 private:
-    /// An opaque picture is drawn over the one before, another one takes its place. All have the same
+    /// An opaque picture is drawn over the previous one; any other picture replaces it. All have the same
     /// channels.
     PngBytes encoded(const Image& image, const PixelArea& area, const Image* before) const {
         if (!image.alpha.empty()) { return encode_png(cut_out(image, area)); }
@@ -75,7 +75,7 @@ private:
         }
         append_png_number(frame, static_cast<std::uint32_t>(ticks), 2);
         append_png_number(frame, kTicksPerSecond, 2);
-        append_png_number(frame, 0, 1);  // stays until the next one
+        append_png_number(frame, 0, 1);  // the picture stays until the next one
         append_png_number(frame, is_opaque_ ? 1 : 0, 1);
         append_png_chunk(file_, "fcTL", frame);
 
@@ -94,7 +94,7 @@ private:
     bool is_opaque_ = true;
     Ticks time_{kTicksPerSecond};
     PngBytes file_;
-    std::size_t control_ = 0;  ///< where the number of pictures is written at the end
+    std::size_t control_ = 0;  ///< place at which the number of pictures is written at the end
     std::uint32_t sequence_ = 0;
     std::uint32_t pictures_ = 0;
 };

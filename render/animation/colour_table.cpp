@@ -9,11 +9,11 @@ namespace jw::render {
 
 namespace {
 
-// of squared differences in red, green and blue: green is seen most, and blue enough to spoil a hue
+// weights of squared differences in red, green and blue: green is seen best, and blue still changes a hue
 constexpr std::array<int, 3> kWeights{2, 4, 3};
-// of all pixels: a colour that covers more is a flat area
+// share of all pixels: a colour that covers more is a flat area
 constexpr double kFlatShare = 0.0005;
-constexpr int kRefinements = 8;  // of middles; later ones move them by less than a level
+constexpr int kRefinements = 8;  // of the means; more of them change the means by less than a level
 
 struct Counted {
     std::array<double, 3> colour;
@@ -30,7 +30,7 @@ Rgb unpacked(std::uint32_t colour) {
         static_cast<std::uint8_t>(colour)};
 }
 
-/// Colours that lie together.
+/// Colours that are near each other.
 class Cluster {
 public:
     explicit Cluster(std::vector<Counted> members) : members_(std::move(members)) {
@@ -52,10 +52,10 @@ public:
     }
 
     const std::array<double, 3>& mean() const { return mean_; }
-    /// Along the channel in which its colours differ most; 0: all are equal.
+    /// Error along the channel in which its colours differ most; 0: all are equal.
     double error() const { return error_; }
 
-    /// Cuts it at its mean in that channel. Neither half is empty while there is an error.
+    /// Cuts the cluster at its mean in that channel. Neither half is empty while there is an error.
     std::pair<Cluster, Cluster> halves() const {
         std::vector<Counted> low;
         std::vector<Counted> high;
@@ -84,7 +84,7 @@ std::vector<std::array<double, 3>> cut(const std::vector<Counted>& colours, std:
     clusters.emplace_back(colours);
     while (clusters.size() < most) {
         const auto worst = std::ranges::max_element(clusters, {}, &Cluster::error);
-        // differences of a thousandth of a level are those of the mean's own rounding
+        // differences of a thousandth of a level are rounding of the mean
         if (worst->error() < 1e-6) { break; }
         auto [low, high] = worst->halves();
         *worst = std::move(low);
@@ -96,8 +96,7 @@ std::vector<std::array<double, 3>> cut(const std::vector<Counted>& colours, std:
     return means;
 }
 
-/// Moves each of the means after the `fixed` first ones into the middle of the colours that are nearest to
-/// it.
+/// Moves each of the means after the first `fixed` ones to the mean of the colours that are nearest to it.
 void refine(
     std::vector<std::array<double, 3>>& means, std::size_t fixed, const std::vector<Counted>& colours) {
     std::vector<Counted> sums(means.size());
@@ -130,7 +129,7 @@ void ColourCensus::add(const Image& image) {
 }
 
 std::vector<Rgb> ColourCensus::choose(int most) const {
-    // in the order of the colours: that of a hash table is no property of the pictures
+    // in the order of the colours: the order of a hash table does not depend on the pictures alone
     std::vector<std::pair<std::uint32_t, std::uint64_t>> counts(counts_.begin(), counts_.end());
     std::ranges::sort(counts);
     const auto limit = static_cast<std::size_t>(most);
@@ -143,7 +142,7 @@ std::vector<Rgb> ColourCensus::choose(int most) const {
     std::ranges::stable_sort(frequent, std::greater(), [](const auto& entry) { return entry.second; });
     std::vector<std::array<double, 3>> means;
     for (const auto& [colour, count] : frequent) {
-        // half of the places are for what is shaded
+        // half of the colours are reserved for shaded areas
         if (means.size() >= limit / 2 ||
             static_cast<double>(count) < kFlatShare * static_cast<double>(pixels_)) {
             break;
@@ -155,7 +154,7 @@ std::vector<Rgb> ColourCensus::choose(int most) const {
     colours.reserve(counts.size());
     for (const auto& [colour, count] : counts) {
         const Rgb rgb = unpacked(colour);
-        // by the root: a small body in a colour of its own is as important as a large area
+        // square root: a small body in its own colour is as important as a large area
         colours.push_back(
             {{double(rgb[0]), double(rgb[1]), double(rgb[2])}, std::sqrt(static_cast<double>(count))});
     }
@@ -195,7 +194,7 @@ int ColourTable::nearest(const std::array<int, 3>& colour) const {
     return best;
 }
 
-/// Sixteen colours whose mean is as near as possible: each makes up for the errors of those before it.
+/// Sixteen colours whose mean is as near as possible: each corrects the errors of the previous ones.
 ColourTable::Pattern ColourTable::mixed(const Rgb& colour) const {
     Pattern pattern{};
     std::array<int, 3> error{};
@@ -211,7 +210,7 @@ ColourTable::Pattern ColourTable::mixed(const Rgb& colour) const {
 }
 
 std::uint8_t ColourTable::index(const std::uint8_t* rgb, int x, int y) {
-    // each half of the places is spread evenly, and each quarter
+    // each half of the places is spread evenly, and so is each quarter
     static constexpr std::array<std::uint8_t, 16> kOrder{0, 8,  2, 10, 12, 4, 14, 6,
                                                          3, 11, 1, 9,  15, 7, 13, 5};
     const std::uint32_t colour = packed(rgb);

@@ -7,18 +7,18 @@
 
 #include "render/image.hpp"
 
-/// Few colours in the place of many.
+/// Replaces many colours by a few.
 namespace jw::render {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// Counts the colours of pictures, to choose those that stand for all of them.
+/// Counts the colours of pictures, in order to choose those that represent all of them.
 class ColourCensus {
 public:
     void add(const Image& image);
 
-    /// At most `most` colours. Flat areas (paper, boxes, the pale ones among them) keep their very colour;
-    /// the others are the middles of what is near them. The same pictures give the same colours.
+    /// At most `most` colours. Flat areas (paper, boxes, also pale ones) keep their exact colour; the other
+    /// colours are the means of those near them. The same pictures give the same colours.
     std::vector<Rgb> choose(int most) const;
 
 private:
@@ -26,8 +26,8 @@ private:
     std::uint64_t pixels_ = 0;
 };
 
-/// Colours of a picture that has few. A colour that is not among them is mixed of some that are, in a pattern
-/// of 4 x 4 pixels that depends on the place alone: what does not move between two pictures stays as it is.
+/// Maps a picture to a few colours. Any other colour is mixed from these in a pattern of 4 x 4 pixels that
+/// depends only on the place: what does not move between two pictures does not change.
 class ColourTable {
 public:
     /// @param colours  1 to 255
@@ -47,7 +47,7 @@ private:
     std::vector<Rgb> colours_;
     std::vector<int> luminance_;
     std::unordered_map<std::uint32_t, Pattern> patterns_;
-    std::uint32_t last_ = 0xFFFFFFFF;  ///< colours come in runs
+    std::uint32_t last_ = 0xFFFFFFFF;  ///< the same colour often comes several times in a row
     const Pattern* last_pattern_ = nullptr;
 };
 

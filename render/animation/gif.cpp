@@ -37,7 +37,7 @@ protected:
         Bytes pixels = indices(image, area, before);
         int ticks = time_.next(seconds, kLeastTicks);
         put_picture(pixels, area, std::min(ticks, kMostTicks));
-        // a time that two bytes cannot hold is that of several pictures, the later ones without a change
+        // a time that does not fit into two bytes is split; the later pictures of it do not change anything
         while ((ticks -= kMostTicks) > 0) {
             put_picture({kUnchanged}, {area.x, area.y, 1, 1}, std::min(ticks, kMostTicks));
         }
@@ -52,10 +52,10 @@ protected:
 
 private:
     static constexpr int kTicksPerSecond = 100;
-    static constexpr int kLeastTicks = 2;  // browsers show shorter pictures for ten
+    static constexpr int kLeastTicks = 2;  // browsers show a shorter picture for ten ticks
     static constexpr int kMostTicks = 65535;
     static constexpr int kTableSize = 256;
-    static constexpr std::uint8_t kUnchanged = 255;  // index of no colour: the pixel stays as it is
+    static constexpr std::uint8_t kUnchanged = 255;  // index without a colour: the pixel does not change
 
     [[noreturn]] static void fail(int error) {
         const char* const why = GifErrorString(error);

@@ -5,11 +5,11 @@
 
 namespace jw::render {
 
-/// One less than the format has room for: the last one means that a pixel stays as it is.
+/// One less than the format allows: the last index means that a pixel does not change.
 inline constexpr int kMostColoursOfGif = 255;
 
-/// GIF in these colours, all pictures in the same. What shines through becomes opaque. The same pictures give
-/// the same bytes.
+/// GIF with these colours, the same for all pictures. Transparent pixels become opaque. The same pictures
+/// give the same bytes.
 /// @throws std::invalid_argument unless there are 1 to 255 colours
 std::unique_ptr<Animation> make_gif(std::vector<Rgb> colours, Repeat repeat);
 

@@ -17,7 +17,7 @@ constexpr std::array kLessons{
     "loops/four-bar.toml", "loops/bennett.toml", "parallel/which-two-of-three.toml", "joints/screw.toml",
     "joints/universal.toml"};
 
-/// The window as `open --picture` draws it; those in docs/ are the pictures of the README.
+/// The window as `open --picture` draws it; those in docs/ are pictures of its pages.
 struct GoldenWindow {
     std::string file;
     std::string lesson;  ///< empty: the browser

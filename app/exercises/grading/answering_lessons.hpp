@@ -15,8 +15,8 @@ public:
     AnsweringLessons(const std::vector<SlideLesson>& lessons, const std::vector<Exercise>& exercises)
         : lessons_(&lessons), exercises_(&exercises) {}
 
-    /// The lesson of the slide that a mistake names, else the one that its exercise belongs to, else that of
-    /// the exercise's source; nullptr if there is none.
+    /// The lesson of the slide that a mistake names, else the lesson that its exercise belongs to, else the
+    /// lesson of the exercise's source; nullptr if there is none.
     const SlideLesson* find(const std::string& exercise, const std::string& slide) const;
 
 private:
@@ -26,7 +26,7 @@ private:
 
 /// A link to the section of a lesson; with the slide before it if there is one.
 std::string lesson_link(const SlideLesson& lesson, const std::string& slide);
-/// What a lesson says first and at its end, and how it is opened.
+/// The first text of a lesson, its summary, and how to open it.
 std::string lesson_section(const SlideLesson& lesson);
 
 }  // namespace jw

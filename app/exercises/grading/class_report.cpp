@@ -82,7 +82,7 @@ std::string key_of_bars() {
     return html + "</p>\n";
 }
 
-/// Lessons that were linked, each once.
+/// Lessons that the page links to, each once.
 using LinkedLessons = std::vector<const SlideLesson*>;
 
 std::string answer_cell(

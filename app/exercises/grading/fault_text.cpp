@@ -16,15 +16,15 @@ std::string megabytes(std::uint64_t bytes) {
                                : std::to_string(bytes / kilo / kilo) + " MB";
 }
 
-/// A limit in seconds, of which fractions matter in tests only.
+/// A limit in seconds; fractions matter only in tests.
 std::string in_seconds(double seconds) {
     char text[32];
     std::snprintf(text, sizeof text, "%g s", seconds);
     return text;
 }
 
-/// Error message of the program about its end: the last line that calls itself an error ("NameError: ...",
-/// "error: ..."), since Octave and JavaScript write where it happened behind it, or else the last line.
+/// The program's message about its end: the last line that calls itself an error ("NameError: ...", "error:
+/// ..."), or else the last line. Octave and JavaScript write the place of the error after it.
 std::string last_words(const std::string& err) {
     std::string text = exercises::printable(err);
     while (text.ends_with('\n') || text.ends_with(' ')) { text.pop_back(); }

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kLargestHandedIn = 200000;
-/// Stands in the table of kinds for the endings of all languages.
+/// Stands in the table of kinds for the extensions of all languages.
 constexpr std::string_view kProgramEnding = "program";
 /// Shares are rounded to this, so that 2/3 of 3 points are 2.
 constexpr double kFinest = 1e-6;
@@ -44,7 +44,8 @@ ProgramVerdict not_run(const exercises::ProgramResult::Outcome outcome, const st
     return {not_judged(why), outcome == Outcome::no_sandbox || outcome == Outcome::no_tool};
 }
 
-/// Beginning of the output of a program that gave no answers: often a number that it prints in passing.
+/// Beginning of the output of a program that gave no answers: it is often a number that the program prints
+/// besides.
 std::string beginning_of(const std::string& out) {
     const std::string text = exercises::printable(out.substr(0, 1000));
     const std::size_t first = text.find_first_not_of(" \n\t");
@@ -124,7 +125,8 @@ ExerciseGrade nothing_for(const Exercise& exercise) {
     return grade;
 }
 
-/// Everything that a grade depends on, each part with its length, so that no two exercises have the same.
+/// Everything that a grade depends on, each part with its length, so that two different exercises never have
+/// the same text.
 std::string text_of(const Exercise& e) {
     std::ostringstream text;
     const auto add = [&](const auto& part) {
@@ -157,7 +159,7 @@ std::string text_of(const Exercise& e) {
     return text.str();
 }
 
-/// Languages of programs that run here: a grade without a sandbox does not hold where there is one.
+/// Languages of programs that run here: a grade without a sandbox is not valid on a machine that has one.
 std::string means_of_running() {
     std::string text = exercises::sandbox_availability().available ? "sandbox" : "no sandbox";
     for (const exercises::Language& language : exercises::kLanguages) {
@@ -181,7 +183,7 @@ Judged judge_program_file(const Task& task, const fs::path& file, const std::sto
 ReadyCourse ready_course(std::string secret, const std::vector<Exercise>& exercises) {
     ReadyCourse course;
     course.secret = std::move(secret);
-    // feedback is kept in words
+    // the feedback is stored as text, so the language counts
     const std::string words = language() == "en" ? std::string() : std::string(language());
     std::uint64_t digest = seed_of(means_of_running() + words, JW_VERSION, course.secret);
     for (const Exercise& exercise : exercises) {

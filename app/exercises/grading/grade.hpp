@@ -8,21 +8,21 @@
 #include "app/exercises/kinds.hpp"
 #include "lessons/exercise/handed_in.hpp"
 
-/// Grades what one student hands in.
+/// Grades the submission of one student.
 namespace jw {
 
-/// An exercise with what makes its tasks.
+/// An exercise, with the maker of its tasks.
 struct CourseExercise {
     const Exercise* exercise = nullptr;
     TaskMaker maker;
 };
 
-/// Exercises of a course, made ready once. `exercises` must outlive it.
+/// Exercises of a course, prepared once. `exercises` must outlive it.
 struct ReadyCourse {
     std::string secret;
     std::vector<CourseExercise> exercises;
-    std::string digest;   ///< of everything that grades depend on besides what is handed in
-    std::string problem;  ///< an exercise of which no task can be made
+    std::string digest;   ///< of everything that grades depend on, except what is handed in
+    std::string problem;  ///< exercises of which no task can be made
 };
 ReadyCourse ready_course(std::string secret, const std::vector<Exercise>& exercises);
 
@@ -32,10 +32,10 @@ Task task_of(const ReadyCourse& course, const CourseExercise& exercise, const st
 struct ExerciseGrade {
     std::string name;
     std::string title;
-    double points = 0.0;  ///< that there are
+    double points = 0.0;  ///< that can be earned
     double earned = 0.0;
     bool handed_in = false;
-    bool not_run = false;  ///< a program that this machine cannot run
+    bool not_run = false;  ///< a program that cannot be run on this machine
     Judged judged;
 };
 
@@ -60,26 +60,27 @@ Submission read_submission(const std::filesystem::path& folder);
 Grade empty_grade(const ReadyCourse& course, const Submission& submission);
 
 /// Grades one exercise of a submission: its answer, its lesson file NAME.toml or its program (NAME.py,
-/// NAME.cpp ...). Nothing outside the folder is read, links are not followed, programs run in a sandbox or
-/// not at all.
+/// NAME.cpp ...). Nothing outside the folder is read, links are not followed, and programs run only in a
+/// sandbox.
 ExerciseGrade grade_exercise(
     const ReadyCourse& course, const CourseExercise& entry, const Submission& submission);
 
-/// Longest time that grading an exercise takes on a busy machine [s]: of a program with compiling and run.
+/// Longest time that grading an exercise takes on a busy machine [s]; for a program, compiling and running
+/// included.
 double longest_grading(const Exercise& exercise);
 
-/// Runs a program in the sandbox and judges what it writes; why it was not run is said in the feedback.
-/// @param stop  kills the program: its answers are not wanted any more
+/// Runs a program in the sandbox and judges its output; the feedback says why it was not run.
+/// @param stop  kills the program if its answers are not wanted any more
 Judged judge_program_file(
     const Task& task, const std::filesystem::path& file, const std::stop_token& stop = {});
 
-/// Digest of all that a folder hands in; empty if it cannot be read.
+/// Digest of everything in a submitted folder; empty if it cannot be read.
 std::string digest_of(const std::filesystem::path& folder);
 
 /// A grade as JSON and back.
 std::string json_text(const Grade& grade);
 std::string json_text(const ExerciseGrade& grade);
-/// @return false if it is none
+/// @return false if the text is not a grade
 bool read_grade(const std::string& json, Grade& grade);
 bool read_grade(const std::string& json, ExerciseGrade& grade);
 

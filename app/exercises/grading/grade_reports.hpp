@@ -10,7 +10,7 @@
 /// Grades for people and for other programs.
 namespace jw {
 
-/// One student, for a terminal.
+/// The grade of one student, for a terminal.
 std::string grade_text(const Grade& grade);
 /// A table: a line for each student, a column for each exercise.
 std::string grades_csv(const std::vector<Grade>& grades);
@@ -21,7 +21,7 @@ std::string gradescope_json(const Grade& grade);
 /// All grades in one list.
 std::string grades_json(const std::vector<Grade>& grades);
 
-/// A page about the class: points, for each exercise which mistakes were made how often, and the lessons that
+/// A page about the class: points, how often each mistake was made in each exercise, and the lessons that
 /// answer them.
 std::string class_report_html(
     const std::vector<Grade>& grades, const std::string& title, const AnsweringLessons& lessons);
@@ -31,12 +31,12 @@ struct ProgramsNotRun {
     int count = 0;
     std::string reason;  ///< of the first one
 
-    /// A sentence about all of them.
+    /// A sentence about all of these programs.
     std::string text() const;
 };
 ProgramsNotRun programs_not_run(const std::vector<Grade>& grades);
 
-/// How a class did an exercise.
+/// Results of a class in an exercise.
 struct ExerciseCount {
     std::string name;
     std::string title;

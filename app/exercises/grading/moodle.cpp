@@ -13,7 +13,7 @@ namespace jw {
 
 namespace {
 
-// Moodle compares decimals; more digits than any tolerance asks for
+// Moodle compares decimals: these are more digits than any tolerance asks for
 constexpr int kMoodleDigits = 12;
 
 bool is_for_quizzes(const Exercise& exercise) {
@@ -35,7 +35,7 @@ std::string cdata(const std::string& html) {
     return "<text><![CDATA[" + safe + "]]></text>";
 }
 
-/// The figure goes along as a file of the question.
+/// The question's text; the figure is included as a file.
 std::string question_text(const SheetEntry& entry, const std::string& more) {
     const Exercise& exercise = entry.task.exercise();
     std::string html = "<p>" + html_words(exercise.ask) + "</p>";
@@ -51,7 +51,7 @@ std::string question_text(const SheetEntry& entry, const std::string& more) {
     return "<questiontext format=\"html\">" + cdata(html + more) + file + "</questiontext>\n";
 }
 
-/// A slash would begin another category: Moodle takes two for one of the name (qformat_default,
+/// A slash would begin another category; Moodle reads two slashes as one of the name (qformat_default,
 /// question/format.php).
 std::string category_name(const std::string& name) {
     std::string doubled;
@@ -85,8 +85,8 @@ std::string numerical(const SheetEntry& entry) {
     return xml;
 }
 
-/// Text within a gap of a cloze question. Moodle decodes entities in feedback, and takes a backslash away
-/// before } and # only: before any other sign the student would see it.
+/// Text within a gap of a cloze question. Moodle decodes entities in feedback, but removes a backslash only
+/// before } and #: before other signs the student would see it.
 std::string in_gap(const std::string& text) {
     std::string escaped;
     for (const char c : markup_text(text)) {
@@ -99,7 +99,7 @@ std::string in_gap(const std::string& text) {
     return escaped;
 }
 
-/// One gap: the right entry, and those of mistakes where they differ from it and from one another.
+/// One gap: the right entry, and the entries of mistakes that differ from it and from one another.
 std::string gap(const Asked& asked, Eigen::Index r, Eigen::Index c) {
     const double tolerance = tolerance_of_entry(asked);
     std::vector<double> used{asked.right(r, c)};
@@ -156,7 +156,7 @@ std::string short_answers(const SheetEntry& entry) {
         return "<answer fraction=\"" + std::to_string(fraction) + "\"><text>" + text +
                "</text><feedback format=\"html\">" + cdata(html_words(feedback)) + "</feedback></answer>\n";
     };
-    // a star stands for whatever is written between the numbers
+    // a star stands for anything between the numbers
     std::string xml = "<usecase>0</usecase>\n" + answer(entry.task.asked.right, 100, tr("Right."));
     for (const KnownMistake& mistake : entry.task.asked.mistakes) {
         xml += answer(mistake.answer, 0, feedback_of(mistake));
@@ -170,7 +170,7 @@ std::string items_html(const SheetEntry& entry) {
     return html + "</ol><p>" + markup_text(hand_in_text(entry)) + "</p>";
 }
 
-/// Moodle reads numbers alone: no fractions, no units.
+/// Moodle reads only numbers, not fractions or units.
 std::string unit_html(const SheetEntry& entry) {
     const std::string& unit = entry.task.asked.unit;
     const std::string words = followed(
@@ -213,7 +213,7 @@ std::string moodle_xml(const std::vector<Sheet>& sheets, const std::string& cate
     for (std::size_t k = 0; k < sheets.front().entries.size(); ++k) {
         const std::string name = sheets.front().entries[k].task.exercise().name;
         if (!is_for_quizzes(sheets.front().entries[k].task.exercise())) { continue; }
-        // a category for each exercise: a quiz takes one of it at random
+        // a category for each exercise: a quiz takes one of its questions at random
         xml += "<question type=\"category\"><category><text>$course$/top/" + category_name(category) + "/" +
                category_name(name) + "</text></category></question>\n";
         for (const Sheet& sheet : sheets) {

@@ -14,7 +14,7 @@ namespace jw {
 PlainFile read_plain_file(const std::filesystem::path& path, std::size_t most) {
     PlainFile file;
     const std::string name = path.filename().string();
-    // a pipe would be waited for
+    // without O_NONBLOCK, opening a pipe would wait
     const int handle = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (handle < 0) {
         file.absent = errno == ENOENT;

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-/// Files of students, read without trust.
+/// Files of students, which are not trusted.
 namespace jw {
 
 struct PlainFile {

@@ -64,7 +64,7 @@ std::string shown_markdown(const SheetEntry& entry) {
     return text.empty() ? text : text + "\n";
 }
 
-/// Behind the sheet, so that nobody reads them by accident.
+/// The hints stand after the sheet, so that nobody reads them by accident.
 std::string hints_markdown(const Sheet& sheet) {
     std::string text;
     for (const SheetEntry& entry : sheet.entries) {

@@ -10,11 +10,11 @@
 /// Sheets of exercises for students.
 namespace jw {
 
-/// Draws the scene of a lesson as PNG; nothing: sheets have no figures.
-/// @param as_given  the pose of the file, nothing assembled
+/// Draws the scene of a lesson as PNG. If there is no such function, sheets have no figures.
+/// @param as_given  the pose of the file, not assembled
 using FigureOf = std::function<std::vector<std::uint8_t>(const Lesson& lesson, bool as_given)>;
 
-/// An exercise as it stands on a sheet. Texts have formulas between dollar signs.
+/// An exercise on a sheet. Texts have formulas between dollar signs.
 struct SheetEntry {
     Task task;
     std::string number;              ///< "3"
@@ -22,10 +22,10 @@ struct SheetEntry {
     std::string file;                ///< handed out with the sheet, "NAME.toml"; empty: none
     std::string file_text;
     std::vector<std::uint8_t> figure;  ///< PNG
-    std::string template_line;         ///< of answers.toml; empty where a file is handed in
+    std::string template_line;         ///< in answers.toml; empty if a file is handed in
 };
 
-/// Folder of a sheet with programs to begin with: beside answers.toml several of them would be handed in.
+/// Folder of a sheet for starter programs: beside answers.toml, several of them would be handed in.
 inline constexpr const char* kStartersFolder = "starters";
 
 struct Sheet {
@@ -39,18 +39,18 @@ Sheet sheet_of(
 
 /// @param solution  with the right answers
 std::string sheet_markdown(const Sheet& sheet, bool solution);
-/// One page with everything in it.
+/// The whole sheet as one page that needs no other file.
 std::string sheet_html(const Sheet& sheet, bool solution);
 /// The file that a student fills in; with the right answers if `solution`.
 std::string answers_template(const Sheet& sheet, bool solution);
 
-/// Questions for Moodle in its XML format, one for each exercise of each sheet that a quiz can ask: every
+/// Questions for Moodle in its XML format: for each sheet, one for each exercise that a quiz can ask. Every
 /// known mistake is an answer with its feedback.
 std::string moodle_xml(const std::vector<Sheet>& sheets, const std::string& category);
 /// Names of exercises that no quiz can ask.
 std::vector<std::string> not_for_quizzes(const Sheet& sheet);
 
-/// Student of a sheet: "ann", or "ann, solutions".
+/// Student named on a sheet: "ann", or "ann, solutions".
 std::string student_text(const Sheet& sheet, bool solution);
 /// Title and feedback of a mistake, for the sheet of solutions.
 std::string mistake_text(const KnownMistake& mistake);

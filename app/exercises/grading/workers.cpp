@@ -27,13 +27,13 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMostResult = 4U << 20U;
 constexpr const char* kNoProcess = tr_later("No process could be started.");
 
-/// A process that does the parts of a piece from `done.size()` on.
+/// A process that does the parts of a piece, starting at `done.size()`.
 struct Worker {
     int piece = 0;
     pid_t process = -1;
     int pipe = -1;
     Clock::time_point end;  ///< of the part that it does
-    std::string unread;     ///< each result comes behind its length
+    std::string unread;     ///< received bytes; each result follows its length
     std::vector<WorkDone> done;
 };
 
@@ -59,8 +59,8 @@ void limit(int what, rlim_t most) {
     setrlimit(what, &both);
 }
 
-/// Limits the processor time of this process to so many seconds from now on. The hard limit stays: it could
-/// never be raised again.
+/// Limits the processor time of this process to `more_seconds` from now on. The hard limit stays, because it
+/// could never be raised again.
 void limit_cpu(int more_seconds) {
     rusage used{};
     getrusage(RUSAGE_SELF, &used);
@@ -73,9 +73,9 @@ void limit_cpu(int more_seconds) {
 
 [[noreturn]] void work_and_leave(
     int handle, int piece, int first, const Work& work, const WorkerLimits& limits) {
-    // a group of its own, so that what it starts ends with it
+    // its own group, so that everything it starts ends with it
     setpgid(0, 0);
-    // who waits for this process tells how it ended
+    // whoever waits for this process reports how it ended
     for (const int signal_number : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGXCPU}) {
         signal(signal_number, SIG_DFL);
     }
@@ -97,7 +97,7 @@ Clock::time_point end_of_part(const Work& work, const Worker& worker) {
     return Clock::now() + std::chrono::milliseconds(static_cast<int>(1000.0 * work.wall_seconds(part)));
 }
 
-/// Starts the process that goes on with `worker`. @return false if there can be none
+/// Starts a process that goes on with `worker`. @return false if no process can be started
 bool start(Worker& worker, const Work& work, const WorkerLimits& limits) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) { return false; }
@@ -124,7 +124,7 @@ std::string problem_of(int status) {
     return WEXITSTATUS(status) == 0 ? "" : tr("Grading failed.");
 }
 
-/// Takes the results that are complete. @return false if one is larger than any may be
+/// Takes the results that are complete. @return false if one is larger than allowed
 bool take_results(Worker& worker, const Work& work) {
     for (;;) {
         std::uint64_t size = 0;
@@ -138,7 +138,7 @@ bool take_results(Worker& worker, const Work& work) {
     }
 }
 
-/// Reads what there is. @return false at the end
+/// Reads what is there. @return false at the end
 bool read_more(Worker& worker, const Work& work) {
     std::array<char, 65536> part{};
     const ssize_t count = read(worker.pipe, part.data(), part.size());
@@ -148,7 +148,7 @@ bool read_more(Worker& worker, const Work& work) {
     return take_results(worker, work);
 }
 
-/// Waits for the end of the process; its group ends with it. @return why it ended early, if it did
+/// Waits for the end of the process and ends its group. @return why it ended early, if it did
 std::string finished(const Worker& worker) {
     close(worker.pipe);
     int status = 0;
@@ -157,10 +157,10 @@ std::string finished(const Worker& worker) {
     return problem_of(status);
 }
 
-/// Ends the process and begins another one for what is left. @return false if nothing is
+/// Ends the process and starts another one for the remaining parts. @return false if there are none
 bool go_on(Worker& worker, const Work& work, const WorkerLimits& limits) {
     const auto parts = static_cast<std::size_t>(work.parts);
-    // one that wrote too much still runs
+    // a process that wrote too much is still running
     if (worker.done.size() < parts) { kill(-worker.process, SIGKILL); }
     const std::string problem = finished(worker);
     if (worker.done.size() >= parts) { return false; }
@@ -183,7 +183,7 @@ bool has_something(const Worker& worker) {
     return poll(&handle, 1, 0) > 0;
 }
 
-/// Looks after a process. @return false if its piece has ended
+/// Handles one process. @return false if its piece has ended
 bool attend(Worker& worker, const Work& work, const WorkerLimits& limits) {
     const bool late = Clock::now() > worker.end;
     if (late) { kill(-worker.process, SIGKILL); }

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-/// Work in processes of their own: a crash, an endless loop or a lack of memory ends one part of it and
+/// Work in separate processes: a crash, an endless loop or a lack of memory ends one part of the work and
 /// nothing else.
 namespace jw {
 
 struct WorkerLimits {
-    int cpu_seconds = 30;  ///< of the process itself for one part, without its children
+    int cpu_seconds = 30;  ///< of the process itself for one part, without its child processes
     std::uint64_t address_bytes = 4ULL << 30U;
 };
 
@@ -19,14 +19,15 @@ struct WorkDone {
     std::string problem;  ///< why it returned nothing
 };
 
-/// Pieces of work. One process does the parts of a piece one after the other; when a part ends it, or takes
-/// too long, another process goes on behind that part. Without its first part a piece has no others.
+/// Pieces of work. One process does the parts of a piece one after the other. If a part ends the process, or
+/// takes too long, another process goes on after that part. If the first part of a piece fails, the others
+/// are not done.
 struct Work {
     int pieces = 0;
     int parts = 1;                                                ///< of each piece
     std::function<std::string(int piece, int part)> carry_out;    ///< its result has at most 4 MB
-    std::function<double(int part)> wall_seconds;                 ///< that a part may take
-    std::function<void(int piece, std::vector<WorkDone>)> ended;  ///< all parts; in the calling process
+    std::function<double(int part)> wall_seconds;                 ///< limit for a part
+    std::function<void(int piece, std::vector<WorkDone>)> ended;  ///< gets all parts; in the calling process
 };
 
 /// Does the work, `jobs` pieces at a time, in processes made by fork. Pieces end in any order. The calling

@@ -44,7 +44,7 @@ bool LessonExercisesReader::read() {
     if (files_.empty()) { return false; }
     const fs::path file = std::move(files_.back());
     files_.pop_back();
-    // reading a file costs more than looking which lessons it names
+    // reading a whole file costs more than finding out which lessons it names
     if (!exercises_of_lesson(exercises_named_in(file), lesson_).empty()) {
         add_exercises_of(file, lesson_, found_);
     }

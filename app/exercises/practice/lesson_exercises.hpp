@@ -13,7 +13,7 @@ namespace jw {
 /// An exercise that can be practised.
 struct PracticeExercise {
     std::shared_ptr<const Exercise> exercise;
-    std::string key;  ///< of its record: its file and its name, "exercises/vectors/global-vector"
+    std::string key;  ///< key of its record: its file and its name, "exercises/vectors/global-vector"
 };
 
 struct LessonExercises {
@@ -37,7 +37,7 @@ public:
 
 private:
     std::string lesson_;
-    std::vector<std::filesystem::path> files_;  ///< to be read, the last one first
+    std::vector<std::filesystem::path> files_;  ///< files still to be read, the last one first
     LessonExercises found_;
 };
 

@@ -66,7 +66,7 @@ private:
 /// Makes a task, variant by variant.
 class Practice::Making {
 public:
-    /// @param maker  made before; nullptr: none was
+    /// @param maker  made before; nullptr: there is none
     Making(
         std::shared_ptr<const Exercise> exercise, std::shared_ptr<const TaskMaker> maker, std::uint64_t seed)
         : exercise_(std::move(exercise)), maker_(std::move(maker)), seed_(seed) {}
@@ -83,7 +83,7 @@ public:
     }
 
 private:
-    std::shared_ptr<const Exercise> exercise_;  ///< lives as long as somebody works with it
+    std::shared_ptr<const Exercise> exercise_;  ///< lives as long as somebody uses it
     std::shared_ptr<TaskMaker> learning_;
     std::shared_ptr<const TaskMaker> maker_;
     std::optional<TaskDraft> draft_;
@@ -93,7 +93,7 @@ private:
 Practice::Practice(PracticeSetup setup) : setup_(std::move(setup)), progress_(setup_.progress) {}
 
 Practice::~Practice() {
-    // all at once, and not one after the other
+    // all are told to stop before the first is waited for
     give_up(std::move(reading_));
     give_up(std::move(drawing_));
     give_up(std::move(judging_));
@@ -249,7 +249,7 @@ void Practice::draw_with(std::uint64_t seed) {
 void Practice::draw_anew() {
     if (chosen_ < 0 || !has_variants()) { return; }
     ExerciseRecord next = record();
-    // a solved variant has made way for the next one already
+    // a solved variant has already been followed by the next one
     if (!solved_) { ++next.variant; }
     if (!solved_ && !solution_ && verdict_) { next.streak = 0; }
     progress_.keep(exercises_[static_cast<std::size_t>(chosen_)].key, next);
@@ -257,7 +257,7 @@ void Practice::draw_anew() {
 }
 
 void Practice::give_hint() {
-    // alternatives of an exercise have hints of their own
+    // alternatives of an exercise have their own hints
     if (task_ && hints_given_ < static_cast<int>(task_->exercise().hints.size())) { ++hints_given_; }
 }
 
@@ -313,7 +313,8 @@ void Practice::tell(AnswerVerdict verdict) {
 
 void Practice::keep_result() {
     const Judged& judged = verdict_->judged;
-    // what was not understood is no try, and what is solved or shown is over
+    // an answer that was not understood is not a try; once the task is solved or its solution shown, tries do
+    // not count
     if (!judged.understood || solved_ || solution_) { return; }
     ExerciseRecord result = record();
     ++result.tried;
@@ -321,7 +322,7 @@ void Practice::keep_result() {
     result.streak = judged.right ? result.streak + 1 : 0;
     if (judged.right) {
         ++result.solved;
-        // who comes back gets other numbers
+        // the student gets other numbers the next time
         ++result.variant;
     }
     progress_.keep(exercises_[static_cast<std::size_t>(chosen_)].key, result);

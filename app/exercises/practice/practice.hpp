@@ -13,7 +13,7 @@
 #include "app/exercises/slide_lessons.hpp"
 #include "app/session/beside/background.hpp"
 
-/// Practising the exercises of a lesson, without drawing.
+/// Practice with the exercises of a lesson, without drawing.
 namespace jw {
 
 /// Runs the program of a file and judges what it writes; may take seconds, unless it is told to stop.
@@ -26,8 +26,8 @@ struct PracticeSetup {
     ProgramJudge judge_program;      ///< nothing: programs cannot be run here
 };
 
-/// Which exercise is solved, with which numbers, what was said of the answers. Whatever takes long is done in
-/// threads; `look` takes over what they found, so between two calls of it nothing changes by itself.
+/// The exercise in work, its numbers, and the feedback on its answers. Long work is done in threads. Only
+/// `look` takes over their results, so nothing changes between two calls of it.
 class Practice {
 public:
     explicit Practice(PracticeSetup setup);
@@ -35,13 +35,13 @@ public:
     Practice(const Practice&) = delete;
     Practice& operator=(const Practice&) = delete;
 
-    /// Another lesson is open: the exercises of the one before are left.
+    /// Opens another lesson; the exercises of the previous lesson are left.
     void open(const std::filesystem::path& lesson_file);
     /// Begins to read the exercises of the open lesson, once.
     void begin_reading();
 
-    /// Shows the exercises in the language that was chosen since; the one begun keeps its numbers, hints and
-    /// solution, and its answer can be judged again.
+    /// Shows the exercises in the language that was chosen since. The exercise in work keeps its numbers,
+    /// hints and solution, and its answer can be judged again.
     void tell_again();
 
     /// Offers these exercises, whatever lesson they belong to.
@@ -49,9 +49,9 @@ public:
 
     /// Takes over what was computed. @return true if something is new
     bool look();
-    /// Waits for everything under way and takes it over: for pictures and tests.
+    /// Waits for all work and takes over its results: for pictures and tests.
     void wait();
-    /// What is under way, for people: "drawing numbers ..."; empty if nothing is.
+    /// Description of the present work: "drawing numbers ..."; empty if there is none.
     std::string doing() const;
     bool is_busy() const { return reading_ || drawing_ || judging_; }
 
@@ -67,7 +67,7 @@ public:
 
     /// Begins an exercise: its numbers are drawn.
     void choose(int index);
-    /// Back to the list. What is under way is given up.
+    /// Goes back to the list, and gives up the present work.
     void leave();
     /// Index of the exercise begun; -1: none.
     int chosen() const { return chosen_; }
@@ -75,9 +75,9 @@ public:
     ExerciseRecord record() const;
     /// The exercise with its numbers; nullptr until they are drawn.
     const Task* task() const { return task_ ? &*task_ : nullptr; }
-    /// Grows with every task: what was made of the one before is out of date.
+    /// Grows with every task: whatever was made from the previous task is out of date.
     int tasks_made() const { return tasks_made_; }
-    /// There are variants with other numbers, or in another order.
+    /// True if there are variants with other numbers, or in another order.
     bool has_variants() const;
     /// The next variant.
     void draw_anew();
@@ -85,7 +85,7 @@ public:
     /// One more hint of the task, if there is one.
     void give_hint();
     int hints_given() const { return hints_given_; }
-    /// Shows the solution: this variant does not count as solved any more.
+    /// Shows the solution: this variant cannot count as solved any more.
     void show_solution();
     bool shows_solution() const { return solution_; }
 
@@ -125,15 +125,15 @@ private:
     void keep_result();
 
     PracticeSetup setup_;
-    std::filesystem::path unread_;  ///< lesson whose exercises were not asked for so far
+    std::filesystem::path unread_;  ///< lesson whose exercises have not been asked for yet
     Progress progress_;
     std::vector<PracticeExercise> exercises_;
     std::vector<SlideLesson> slides_;
     std::string problem_;
 
     int chosen_ = -1;
-    std::shared_ptr<const TaskMaker> maker_;  ///< of the chosen exercise, once it was made
-    std::shared_ptr<const Exercise> held_;    ///< what the task points to
+    std::shared_ptr<const TaskMaker> maker_;  ///< for the chosen exercise, once it is made
+    std::shared_ptr<const Exercise> held_;    ///< the exercise that the task points to
     std::uint64_t seed_ = 0;
     std::optional<Task> task_;
     int tasks_made_ = 0;

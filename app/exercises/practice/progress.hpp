@@ -8,25 +8,25 @@
 /// What a student has solved, kept between runs of the program.
 namespace jw {
 
-/// Records of all exercises by their keys, in a file that holds nothing else: no names, no times, no answers.
+/// Records of all exercises by their keys. Their file holds nothing else: no names, no times, no answers.
 class Progress {
 public:
-    /// Reads the file. One that is not ours is set aside under another name, and nothing is known then.
+    /// Reads the file. If it is not a file of this program, it is renamed and no progress is known.
     /// @param file  empty: nothing is kept
     explicit Progress(std::filesystem::path file = {});
     /// $XDG_DATA_HOME/jointwise/progress.toml or its usual place; empty if there is no home.
     static std::filesystem::path usual_file();
 
     const std::filesystem::path& file() const { return file_; }
-    /// Of an exercise that was never tried: all zero.
+    /// All zero for an exercise that was never tried.
     ExerciseRecord of(const std::string& key) const;
     const ExerciseRecords& all() const { return records_; }
 
-    /// Keeps a record, in the file at once; what other windows wrote there meanwhile about other exercises
-    /// stays.
+    /// Keeps a record, and writes it to the file at once. Records of other exercises that other windows have
+    /// written meanwhile stay.
     void keep(const std::string& key, const ExerciseRecord& record);
 
-    /// What there is to say about the file since the last call, for people; mostly nothing.
+    /// Messages about the file since the last call, for people; mostly none.
     std::string take_notice();
 
 private:
@@ -37,7 +37,7 @@ private:
     std::filesystem::path file_;
     ExerciseRecords records_;
     std::string notice_;
-    bool writable_ = true;  ///< the file is ours, or there is none
+    bool writable_ = true;  ///< the file is one of this program, or there is none
     bool complained_ = false;
 };
 

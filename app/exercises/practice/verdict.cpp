@@ -15,7 +15,7 @@ bool is_value(ExerciseKind kind) {
            kind == ExerciseKind::pose;
 }
 
-/// The answer as a matrix of the shape that is asked for; empty if it has another.
+/// The answer as a matrix of the expected shape; empty if it has another shape.
 MatrixX understood_value(const Task& task, const std::string& text) {
     const Asked& asked = task.asked;
     const GivenValue read = read_given_value(text, asked.unit);
@@ -27,7 +27,7 @@ MatrixX understood_value(const Task& task, const std::string& text) {
     return turned && vector ? MatrixX(read.value.transpose()) : MatrixX();
 }
 
-/// Of p and −p the one that is nearer to what was given.
+/// p or −p, whichever is nearer to the given value.
 MatrixX nearest_right(const Asked& asked, const MatrixX& given) {
     MatrixX right = asked.right;
     if (!asked.sign_of_p || right.rows() < 7) { return right; }

@@ -5,7 +5,7 @@
 
 namespace jw::exercises {
 
-/// A file descriptor that is closed with its owner; -1 is none.
+/// A file descriptor that is closed with its owner; -1: none.
 class Handle {
 public:
     Handle() = default;
@@ -24,7 +24,8 @@ private:
     int fd_ = -1;
 };
 
-/// A pipe: we read without waiting, the sandbox writes. Both are none if the system has no more.
+/// A pipe: this process reads without waiting, the sandbox writes. Both ends are none if the system has no
+/// more.
 struct Pipe {
     Handle read;
     Handle write;
@@ -32,7 +33,7 @@ struct Pipe {
 
 Pipe open_pipe();
 
-/// A file in memory that nobody can change, read from its beginning. None if the system refuses.
+/// A file in memory that nobody can change, read from its beginning. None if the system refuses it.
 Handle memory_file(const std::string& content);
 
 /// Handle of a process, which becomes readable when the process has ended. None if there is no such process.

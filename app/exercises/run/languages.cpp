@@ -13,8 +13,8 @@ using Outcome = ProgramResult::Outcome;
 
 constexpr const char* kCompiledName = "program";
 
-/// A compiler may use more than the program: standard headers alone are 100 MB of it. The program comes out
-/// through standard output.
+/// A compiler may use more than the program: standard headers alone take 100 MB of its memory. The compiled
+/// program is read from standard output.
 SandboxLimits compiler_limits() {
     SandboxLimits limits;
     limits.wall_seconds = 40.0;

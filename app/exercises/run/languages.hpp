@@ -10,21 +10,21 @@
 
 namespace jw::exercises {
 
-/// A language that students may write in. A program of a shell is not among them: what it calls is not the
-/// student's.
+/// A language that students may write in. Shell scripts are not accepted: the programs that they call are not
+/// the student's work.
 struct Language {
     std::string_view extension;
     std::string_view name;
     std::string_view tool;     ///< the interpreter or compiler, by its full path
-    std::string_view package;  ///< of Debian, that has it
-    /// What follows the tool: the file takes the place of FILE, the compiled program that of PROGRAM.
+    std::string_view package;  ///< the Debian package that has it
+    /// Arguments of the tool: FILE stands for the file, PROGRAM for the compiled program.
     std::array<std::string_view, 8> arguments;
     bool compiled = false;
-    std::uint64_t address_bytes = 4ULL << 30U;  ///< what it reserves, used or not
+    std::uint64_t address_bytes = 4ULL << 30U;  ///< address space that it reserves, used or not
 };
 
 inline constexpr std::array kLanguages{
-    // without the folder of the file and without variables of the environment
+    // without the file's folder in the search path, and without environment variables
     Language{".py", "Python", "/usr/bin/python3", "python3", {"-I", "FILE"}},
     Language{
         ".cpp",
@@ -39,7 +39,7 @@ inline constexpr std::array kLanguages{
         "/usr/bin/octave-cli",
         "octave",
         {"--no-gui", "--norc", "--no-history", "-q", "FILE"}},
-    // reserves address space for all that it could ever use
+    // reserves all the address space that it could ever use
     Language{".js", "JavaScript", "/usr/bin/node", "nodejs", {"FILE"}, false, 64ULL << 30U}};
 
 /// By its extension with the dot; none if there is no such language.
@@ -50,40 +50,40 @@ std::string missing_tool(const Language& language);
 
 struct ProgramResult {
     enum class Outcome {
-        ran,           ///< well or not: see `run`
+        ran,           ///< with or without success: see `run`
         not_found,     ///< there is no such file
-        refused,       ///< the file is none that is run
+        refused,       ///< the file is not one that may be run
         no_tool,       ///< this machine lacks the interpreter or compiler
-        not_compiled,  ///< the compiler objects
-        no_sandbox     ///< nothing is run without
+        not_compiled,  ///< the compiler reports errors
+        no_sandbox     ///< without a sandbox nothing is run
     };
     Outcome outcome = Outcome::ran;
-    std::string message;  ///< unless it ran: why, as text that a terminal may show
+    std::string message;  ///< if it did not run: why, as text that is safe for a terminal
     SandboxResult run;    ///< if it ran
 };
 
-/// A program that can be run, once or many times: compiled if its language is.
+/// A program that can be run once or many times; it is compiled if its language is.
 struct ReadyProgram {
-    ProgramResult::Outcome outcome = ProgramResult::Outcome::ran;  ///< anything else: there is none
-    std::string message;     ///< why there is none; what the compiler objects to, empty if it failed itself
-    SandboxResult compiler;  ///< how it failed, with its limits
+    ProgramResult::Outcome outcome = ProgramResult::Outcome::ran;  ///< anything else: there is no program
+    std::string message;     ///< why there is none; what the compiler reports, empty if it failed itself
+    SandboxResult compiler;  ///< how the compiler failed, with its limits
     SandboxLimits limits;
-    std::string command;  ///< the full path of what is started in the sandbox
+    std::string command;  ///< full path of what is started in the sandbox
     std::vector<std::string> arguments;
     SandboxFile file;
     std::uint64_t address_bytes = 0;
 };
 
-/// The longest that make_ready and run_ready can take together [s], where the sandbox is set up slowly, too.
+/// Longest time that make_ready and run_ready can take together [s], even if the sandbox is set up slowly.
 double longest_program_seconds();
 
-/// Compiles in the sandbox, with limits of its own, if needed. Takes about a second for C++ and no time
+/// Compiles in the sandbox, with its own limits, if needed. Takes about a second for C++ and no time
 /// otherwise.
-/// @param stop  gives up a compiler that runs: there is no program then
+/// @param stop  stops a running compiler: then there is no program
 ReadyProgram make_ready(const StudentProgram& program, const std::stop_token& stop = {});
 
 /// Runs a program that is ready; `limits.address_bytes` is replaced by that of its language.
-/// @param stop  kills it: the result is none then
+/// @param stop  kills the program: then there is no result
 ProgramResult run_ready(
     const ReadyProgram& program, const std::string& input_json, SandboxLimits limits = {},
     const std::stop_token& stop = {});

@@ -8,12 +8,12 @@ namespace {
 
 struct Character {
     unsigned long code = 0;
-    std::size_t length = 0;  ///< 0: no character begins here
+    std::size_t length = 0;  ///< 0: no valid character begins here
 };
 
 bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
-/// The character at the beginning of a text that is not empty, by the table of well-formed UTF-8.
+/// The first character of a text that is not empty, by the table of well-formed UTF-8.
 Character first_character(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text[0]);
     if (lead < 0x80) { return {lead, 1}; }
@@ -29,7 +29,7 @@ Character first_character(std::string_view text) {
     return too_long || no_character ? Character{} : Character{code, length};
 }
 
-/// Controls a terminal, or the order in which a text is read.
+/// True for codes that control a terminal, or the direction in which a text is read.
 bool controls(unsigned long code) {
     if (code == '\n' || code == '\t') { return false; }
     const bool is_control = code < 0x20 || (code >= 0x7F && code < 0xA0);

@@ -38,7 +38,7 @@ struct Stream {
     std::string text;
     std::size_t limit = 0;
 
-    /// Takes what is there without waiting; false if there is more than the limit.
+    /// Takes what is there, without waiting. @return false if there is more than the limit
     bool take() {
         std::array<char, 1U << 16U> buffer;
         while (pipe.read) {
@@ -100,11 +100,11 @@ private:
     SandboxResult result_;
     Stream out_, err_, started_, info_;
     int child_ = -1;         // bwrap
-    Handle bwrap_;           // becomes readable when it ends
-    Handle first_;           // the first process in the sandbox: all die with it
+    Handle bwrap_;           // becomes readable when bwrap ends
+    Handle first_;           // the first process in the sandbox: all others die with it
     int first_process_ = 0;  // its number on this machine
     UsageMeter meter_;
-    bool runs_ = false;  // the program itself
+    bool runs_ = false;  // the program itself runs
     bool stop_ = false;
     Clock::time_point begin_ = Clock::now();
     Clock::time_point looked_ = begin_;
@@ -146,7 +146,7 @@ bool SandboxRun::has_ended() const {
 void SandboxRun::wait_for_something() {
     std::array<pollfd, 4> sources{
         {{bwrap_.fd(), POLLIN, 0},
-         {out_.pipe.read.fd(), POLLIN, 0},  // a closed one is -1, which poll passes over
+         {out_.pipe.read.fd(), POLLIN, 0},  // a closed one is -1, which poll ignores
          {err_.pipe.read.fd(), POLLIN, 0},
          {started_.pipe.read.fd(), POLLIN, 0}}};
     ::poll(sources.data(), sources.size(), static_cast<int>(1000.0 * kLookEvery));
@@ -184,7 +184,7 @@ void SandboxRun::check_limits() {
 
 void SandboxRun::measure() {
     looked_ = Clock::now();
-    // a program that has just ended cannot be looked into either, and bwrap will end in a moment
+    // a program that has just ended cannot be inspected, either, and bwrap will end in a moment
     if (!meter_.is_open() && !meter_.open(first_process_)) {
         if (since(begin_) > kBlindSeconds) { cannot("the sandbox cannot be looked into"); }
         return;
@@ -199,13 +199,13 @@ void SandboxRun::measure() {
 void SandboxRun::finish() {
     if (runs_) { result_.wall_seconds = since(begin_); }
     if (stop_ && first_) {
-        // the first process, not bwrap: bwrap reports the time that all took, and ends when none is left
+        // the first process, not bwrap: bwrap reports the time of all processes, and ends when none is left
         kill_process(first_);
         wait_for_end_of(bwrap_);
     } else if (stop_) {
         kill_unfinished();
     }
-    // its child then dies, too; before it is reaped, its number belongs to nobody else
+    // then its child dies, too; until bwrap is reaped, no other process can have its number
     if (stop_) { ::kill(child_, SIGKILL); }
     reap();
     result_.out = std::move(out_.text);
@@ -218,9 +218,8 @@ void SandboxRun::wait_for_end_of(const Handle& process) const {
     while (::poll(&ended, 1, 100) <= 0 && since(begin) < kDieSeconds) {}
 }
 
-/// Ends a sandbox that is not set up: its first process outlives a bwrap that is killed before that process
-/// has asked the kernel to die with it. A bwrap that is halted begins no process, and its children keep their
-/// numbers.
+/// Ends a sandbox that is not set up yet. If bwrap is killed before its first process has asked the kernel to
+/// die with it, that process survives. A halted bwrap starts no process, and its children keep their numbers.
 void SandboxRun::kill_unfinished() {
     if (::kill(child_, SIGSTOP) != 0) { return; }
     siginfo_t halted{};
@@ -238,7 +237,7 @@ void SandboxRun::reap() {
     rusage usage{};
     int reaped = -1;
     do { reaped = ::wait4(child_, &status, 0, &usage); } while (reaped < 0 && errno == EINTR);
-    // what was written before the end; nobody is left who could write more
+    // what was written before the end; now nobody can write more
     if (!stop_) { take_output(); }
     if (!runs_) {
         const std::string words = first_lines(printable(err_.text), 1, 300);
@@ -259,7 +258,7 @@ void SandboxRun::judge(int status) {
         result_.signal = result_.exit_status - 128;
     }
     if (stop_ || result_.exit_status == 0) { return; }
-    // one process alone is stopped by the kernel
+    // the kernel itself stops a single process that uses up its time
     const bool used_up = result_.cpu_seconds >= job_.limits.cpu_seconds;
     result_.timed_out = result_.signal == SIGXCPU || (used_up && result_.signal == SIGKILL);
     for (const char* words : {"MemoryError", "bad_alloc", "out of memory", "heap out of memory"}) {

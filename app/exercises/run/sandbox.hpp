@@ -12,15 +12,15 @@ namespace jw::exercises {
 inline constexpr const char* kSandboxFolder = "/submission";
 inline constexpr const char* kBwrap = "/usr/bin/bwrap";
 
-/// On a busy machine a sandbox may take so long to be set up [s].
+/// Longest time that setting up a sandbox may take on a busy machine [s].
 inline constexpr double kLongestSetUp = 20.0;
 
-/// What a program may use. Times in seconds of the clock and of all processors together.
+/// What a program may use. Times are seconds of the clock, or of all processors together.
 struct SandboxLimits {
     double wall_seconds = 20.0;
     double cpu_seconds = 5.0;                    ///< of all processes of the run together
     std::uint64_t memory_bytes = 512ULL << 20U;  ///< of one process, and of all of them together
-    std::uint64_t address_bytes = 4ULL << 30U;   ///< of one process: reserved, whether used or not
+    std::uint64_t address_bytes = 4ULL << 30U;   ///< of one process: reserved, used or not
     int processes = 32;                          ///< processes and threads
     std::uint64_t file_bytes = 32ULL << 20U;     ///< of one file
     std::uint64_t tmp_bytes = 64ULL << 20U;      ///< of all files of /tmp together
@@ -40,35 +40,36 @@ struct SandboxFile {
 struct SandboxJob {
     std::vector<std::string> command;  ///< the program by its full path, and its arguments
     std::vector<SandboxFile> files;
-    std::string input;  ///< standard input: a file that ends where this text ends
+    std::string input;  ///< standard input, which ends where this text ends
     SandboxLimits limits;
-    std::string bwrap = kBwrap;  ///< another one only in tests
-    std::stop_token stop;        ///< where nobody wants the result any more: the command is killed
+    std::string bwrap = kBwrap;  ///< tests use another one
+    std::stop_token stop;        ///< kills the command if nobody wants the result any more
 };
 
 struct SandboxResult {
-    /// Why the program was not started; empty if it was. Nothing else is meant if this is not empty.
+    /// Why the program was not started; empty if it was. If it is not empty, the other members have no
+    /// meaning.
     std::string could_not_run;
-    int exit_status = 0;  ///< 128 + signal where a signal ended it
-    int signal = 0;       ///< that ended it, 0 if none; an exit status above 128 is taken for a signal
-    std::string out;      ///< bytes as written: may be no text at all (safe_text.hpp)
+    int exit_status = 0;  ///< 128 + signal if a signal ended it
+    int signal = 0;       ///< that ended it, 0 if none; an exit status above 128 is taken as a signal
+    std::string out;      ///< bytes as written: need not be text (safe_text.hpp)
     std::string err;
     bool timed_out = false;        ///< by the clock or by the processor
     bool too_much_output = false;  ///< on standard output or error
     bool too_many_files = false;
-    bool out_of_memory = false;  ///< stopped for it, or its last words look like it
+    bool out_of_memory = false;  ///< stopped for it, or its last message looks like it
     double wall_seconds = 0.0;   ///< without the time to set up the sandbox
     double cpu_seconds = 0.0;    ///< of all processes, with a few milliseconds of the sandbox itself
 
-    /// It ran, ended by itself and reports success.
+    /// True if the program ran, ended by itself and reports success.
     bool succeeded() const;
 };
 
-/// Runs a command without network, without the files of this machine but /usr (read-only, without
-/// /usr/local), with an empty environment and with limits on all that it may use; when this returns, none of
-/// its processes is left. Needs bubblewrap and user namespaces; if there are none, the command is not run.
-/// Where this process is root, the command runs as a user that does not exist. May be called by several
-/// threads and processes at once.
+/// Runs a command without network, without the files of this machine except /usr (read-only, without
+/// /usr/local), with an empty environment, and with limits on everything that it may use. When this returns,
+/// none of its processes is left. Needs bubblewrap and user namespaces; without them, the command is not run.
+/// If this process is root, the command runs as a user that does not exist. May be called by several threads
+/// and processes at once.
 SandboxResult run_in_sandbox(const SandboxJob& job);
 
 struct SandboxAvailability {
@@ -76,10 +77,10 @@ struct SandboxAvailability {
     std::string reason;  ///< why not, as one sentence
 };
 
-/// Whether a sandbox works here: tried once in a process with a command that does nothing.
+/// Whether a sandbox works here: tried once per process, with a command that does nothing.
 const SandboxAvailability& sandbox_availability();
 
-/// The same for another bubblewrap, tried at each call.
+/// The same for another bubblewrap, tried again at each call.
 SandboxAvailability try_sandbox(const std::string& bwrap);
 
 }  // namespace jw::exercises

@@ -9,9 +9,9 @@
 namespace jw::exercises {
 namespace {
 
-/// The first process of the sandbox. All others die with it. The limit on processes is set here and not
-/// outside, where it would count all other processes of the user. The words of the shell ("Killed") are not
-/// those of the program.
+/// The first process of the sandbox. All others die with it. The limit on processes is set here: outside, it
+/// would count all other processes of the user. Messages of the shell ("Killed") do not belong to the
+/// program.
 constexpr const char* kFirstProcess = R"(ulimit -p "$1" || exit 125
 shift
 printf s >&3
@@ -40,8 +40,8 @@ void isolate(ArgumentList& list) {
         {"HOME", "/tmp"},
         {"TMPDIR", "/tmp"},
         {"LANG", "C.UTF-8"},
-        // one thread each: more are not faster where several programs run at once, and each takes address
-        // space
+        // one thread each: more threads are not faster if several programs run at once, and each takes
+        // address space
         {"OMP_NUM_THREADS", "1"},
         {"OPENBLAS_NUM_THREADS", "1"}};
     for (const auto& variable : environment) { list.add({"--setenv", variable[0], variable[1]}); }
@@ -50,7 +50,7 @@ void isolate(ArgumentList& list) {
 
 void show_system(ArgumentList& list) {
     list.add({"--ro-bind", "/usr", "/usr"});
-    // what is installed by hand is not the same everywhere, and not for students
+    // what was installed by hand differs between machines, and is not for students
     if (::access("/usr/local", F_OK) == 0) {
         list.add({"--tmpfs", "/usr/local", "--remount-ro", "/usr/local"});
     }
@@ -73,14 +73,14 @@ void show_files(ArgumentList& list, const SandboxJob& job) {
         list.add({"--perms", file.executable ? "0555" : "0444", "--file", std::to_string(fd++)});
         list.add({std::string(kSandboxFolder) + '/' + file.name});
     }
-    // every file system that can be written to takes memory: two, of known size
+    // every writable file system takes memory: so there are only two, of known size
     const std::string size = std::to_string(job.limits.tmp_bytes);
     list.add({"--size", size, "--perms", "1777", "--tmpfs", "/tmp"});
     list.add({"--size", size, "--perms", "1777", "--tmpfs", "/dev/shm"});
     list.add({"--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/tmp"});
 }
 
-/// What the shell may set: not more than is allowed to us.
+/// The limit that the shell may set: not more than this process is allowed.
 std::string allowed_processes(int wanted) {
     rlimit now{};
     ::getrlimit(RLIMIT_NPROC, &now);

@@ -7,7 +7,7 @@
 
 namespace jw::exercises {
 
-/// Numbers of the descriptors that bwrap starts with, after 0, 1 and 2.
+/// Numbers of the descriptors that bwrap is started with, after 0, 1 and 2.
 inline constexpr int kStartedFd = 3;    ///< a byte is written here when the program is about to start
 inline constexpr int kInfoFd = 4;       ///< bwrap writes here which process is the first of the sandbox
 inline constexpr int kFilterFd = 5;     ///< the filter of system calls

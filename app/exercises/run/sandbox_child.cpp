@@ -23,7 +23,7 @@ struct ResourceLimit {
     rlimit value;
 };
 
-/// A limit, but not above what is allowed to us.
+/// A limit, but not above what this process is allowed.
 ResourceLimit at_most(__rlimit_resource which, std::uint64_t soft, std::uint64_t hard) {
     rlimit now{};
     ::getrlimit(which, &now);
@@ -40,22 +40,23 @@ std::vector<ResourceLimit> resource_limits(const SandboxLimits& limits) {
         same(RLIMIT_AS, limits.address_bytes), same(RLIMIT_STACK, 8U << 20U),
         same(RLIMIT_FSIZE, limits.file_bytes),
         same(RLIMIT_NOFILE, static_cast<std::uint64_t>(limits.open_files)),
-        // 0 would still call a program that collects core dumps, 1 does not
+        // with 0, a program that collects core dumps would still be called; with 1 it is not
         same(RLIMIT_CORE, 1), same(RLIMIT_MEMLOCK, 64U << 10U), same(RLIMIT_MSGQUEUE, 0),
         same(RLIMIT_SIGPENDING, 256), same(RLIMIT_RTPRIO, 0), same(RLIMIT_NICE, 0)};
 }
 
-// From here on what runs in the child, which shares locks with threads that do not exist there: no memory is
-// allocated, and system calls are made directly where the library would call other threads.
+// The functions from here on run in the child. It shares locks with threads that do not exist there: no
+// memory is allocated, and system calls are made directly where the library would call other threads.
 
 [[noreturn]] void give_up(const char* words) {
     static_cast<void>(!::write(STDERR_FILENO, words, std::strlen(words)));
     ::_exit(125);
 }
 
-/// Moves descriptors to 0, 1, 2 ...; others are closed: what this process has open is not for students.
+/// Moves descriptors to 0, 1, 2 ... and closes all others: files that this process has open are not for
+/// students.
 void arrange(int* fds, int count) {
-    // out of the way of the numbers that they shall get
+    // out of the way of their new numbers
     for (int k = 0; k < count; ++k) { fds[k] = ::fcntl(fds[k], F_DUPFD, count); }
     for (int k = 0; k < count; ++k) { ::dup2(fds[k], k); }
     if (::syscall(SYS_close_range, static_cast<unsigned>(count), ~0U, 0U) != 0) {
@@ -76,8 +77,8 @@ bool become(unsigned user) {
     return ::syscall(SYS_setresgid, user, user, user) == 0 && ::syscall(SYS_setresuid, user, user, user) == 0;
 }
 
-/// The kernel does not limit root's processes, and root's files would be those of the program. A user of its
-/// own for every run, so that runs do not count each other's processes; some containers know only nobody.
+/// The kernel does not limit root's processes, and the program could use root's files. Every run gets its own
+/// user, so that runs do not count each other's processes; some containers have only the user nobody.
 void leave_root() {
     if (::geteuid() != 0) { return; }
     constexpr unsigned kUnusedUsers = 0x70000000;  // above those that systemd and containers give away
@@ -93,12 +94,12 @@ void leave_root() {
     char* const* arguments, int* fds, int count, const std::vector<ResourceLimit>& limits, int parent) {
     arrange(fds, count);
     default_signals();
-    ::setsid();  // keys that end the caller are not for its child, which dies with it
+    ::setsid();  // keys that end the caller must not reach its child, which dies with it anyway
     for (const ResourceLimit& limit : limits) {
         if (::setrlimit(limit.which, &limit.value) != 0) { give_up("limits cannot be set\n"); }
     }
     leave_root();
-    // after that: a change of user forgets it
+    // after the change of user, which would reset it
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) { ::_exit(125); }
     std::array<char*, 1> environment{nullptr};
@@ -118,7 +119,7 @@ int start_child(
     const std::vector<ResourceLimit> own_limits = resource_limits(limits);
     const int parent = ::getpid();
 
-    // a handler of ours must not run in the child
+    // signal handlers of this program must not run in the child
     sigset_t all;
     sigset_t before;
     ::sigfillset(&all);

@@ -23,7 +23,7 @@ std::string text_in(int folder, const std::string& path) {
     return {buffer.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
 }
 
-/// The number after `name`, in kB there and in bytes here; 0 if there is none.
+/// The number after `name`, which is in kB there and in bytes here; 0 if there is none.
 std::uint64_t bytes_after(const std::string& text, std::string_view name) {
     const std::size_t at = text.find(name);
     return at == std::string::npos ? 0 : std::strtoull(text.c_str() + at + name.size(), nullptr, 10) << 10U;
@@ -36,13 +36,13 @@ std::uint64_t memory_of(const std::string& status) {
 
 /// /proc/PID/stat from one of its fields on, counted from 1 as in proc(5); null if the process has gone.
 const char* field_of(const std::string& stat, int wanted) {
-    // the second one, the name of the program, may hold spaces and brackets
+    // the second field, the name of the program, may contain spaces and brackets
     std::size_t at = stat.rfind(')');
     for (int field = 2; field < wanted && at != std::string::npos; ++field) { at = stat.find(' ', at + 1); }
     return at == std::string::npos ? nullptr : stat.c_str() + at;
 }
 
-/// Fields 14 to 17: its time and that of its children, by itself and in the kernel.
+/// Fields 14 to 17: user and kernel time of the process and of its children.
 double cpu_of(const std::string& stat) {
     static const auto ticks = static_cast<double>(::sysconf(_SC_CLK_TCK));
     const char* text = field_of(stat, 14);
@@ -62,7 +62,7 @@ std::uint64_t files_in(const Handle& folder) {
     return all.f_files - all.f_ffree;
 }
 
-/// Calls `visit` with the name of the folder of each process that a /proc lists.
+/// Calls `visit` with the folder name of each process in a /proc.
 template <class Visit>
 void for_each_process(const Handle& proc, Visit&& visit) {
     const int copy = ::openat(proc.fd(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);

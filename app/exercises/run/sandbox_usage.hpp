@@ -7,17 +7,17 @@
 
 namespace jw::exercises {
 
-/// What all processes of a sandbox use together at a moment.
+/// What all processes of a sandbox use together at one moment.
 struct SandboxUsage {
-    double cpu_seconds = 0.0;        ///< of living processes and of those they have waited for
-    std::uint64_t memory_bytes = 0;  ///< pages that are shared are counted in each process
+    double cpu_seconds = 0.0;        ///< of living processes and of the ended ones that they have waited for
+    std::uint64_t memory_bytes = 0;  ///< shared pages are counted for each process
     std::uint64_t files = 0;         ///< in /tmp and /dev/shm
 };
 
-/// Looks into a sandbox from outside: its own /proc lists its processes and no others.
+/// Inspects a sandbox from outside: its own /proc lists its processes and no others.
 class UsageMeter {
 public:
-    /// None if the sandbox cannot be looked into. `first_process`: as this machine numbers it.
+    /// Fails if the sandbox cannot be inspected. `first_process`: its number on this machine.
     bool open(int first_process);
     bool is_open() const { return static_cast<bool>(processes_); }
     SandboxUsage measure() const;
@@ -28,7 +28,7 @@ private:
     Handle shared_memory_;
 };
 
-/// Numbers of the processes that a process has begun and that nobody has waited for.
+/// Numbers of the processes that a process has started and that nobody has waited for.
 std::vector<int> children_of(int process);
 
 }  // namespace jw::exercises

@@ -22,7 +22,7 @@ ProgramSearch refuse(const std::string& file, const std::string& reason) {
     return {ProgramSearch::Outcome::refused, {}, "'" + printable(file) + "' " + reason};
 }
 
-/// A name that is one plain word: it becomes part of a path here and in the sandbox.
+/// True for a name that is one plain word: it becomes part of a path here and in the sandbox.
 bool is_plain(const std::string& name) {
     const auto allowed = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -39,7 +39,7 @@ std::string kind_of(mode_t mode) {
     return "a device";
 }
 
-/// What is in an open file, up to one byte more than allowed; false if it cannot be read.
+/// Reads an open file, up to one byte more than allowed. @return false if it cannot be read
 bool read_all(const Handle& file, std::string& text) {
     text.resize(kLargestSource + 1);
     std::size_t size = 0;
@@ -54,14 +54,14 @@ bool read_all(const Handle& file, std::string& text) {
     return true;
 }
 
-/// Opens first and asks afterwards, so that nothing can be exchanged in between. A pipe does not make it
-/// wait.
+/// Opens the file first and checks it afterwards, so that it cannot be exchanged in between. A pipe does not
+/// make it wait.
 ProgramSearch read_in(const Handle& folder, const std::string& name, const Language& language) {
     struct stat about {};
     if (::fstatat(folder.fd(), name.c_str(), &about, AT_SYMLINK_NOFOLLOW) != 0) {
         return {ProgramSearch::Outcome::absent, {}, "there is no file '" + name + "'"};
     }
-    // devices are not even opened, which may have effects
+    // devices are not even opened, since opening one may have effects
     if (!S_ISREG(about.st_mode)) {
         return refuse(name, "is " + kind_of(about.st_mode) + ", not a plain file");
     }
@@ -79,14 +79,14 @@ ProgramSearch read_in(const Handle& folder, const std::string& name, const Langu
     return search;
 }
 
-/// Whether something of that name is there, whatever it is.
+/// True if anything has that name, whatever it is.
 bool is_there(const Handle& folder, const std::string& name) {
     struct stat about {};
     return ::fstatat(folder.fd(), name.c_str(), &about, AT_SYMLINK_NOFOLLOW) == 0;
 }
 
 Handle open_folder(std::string path, std::string& problem) {
-    // with a slash at its end the link itself would be followed
+    // with a slash at its end, the link would be followed
     while (path.size() > 1 && path.ends_with('/')) { path.pop_back(); }
     struct stat about {};
     if (::lstat(path.c_str(), &about) == 0 && S_ISLNK(about.st_mode)) {

@@ -25,7 +25,7 @@ constexpr unsigned kProcessor = 0;
 constexpr std::array kRefused{
     // memory that belongs to no process
     SYS_memfd_create, SYS_shmget, SYS_msgget, SYS_semget, SYS_mq_open,
-    // much code of the kernel that no exercise needs
+    // parts of the kernel with much code that no exercise needs
     SYS_bpf, SYS_perf_event_open, SYS_userfaultfd, SYS_io_uring_setup, SYS_io_uring_enter,
     SYS_io_uring_register, SYS_fanotify_init, SYS_quotactl, SYS_acct, SYS_syslog,
     // keys are not separated by namespaces
@@ -60,7 +60,7 @@ std::string system_call_filter() {
     program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kProcessor, 1, 0));
     program.push_back(answer(SECCOMP_RET_KILL_PROCESS));
     program.push_back(load(offsetof(seccomp_data, nr)));
-    // x32 on x86-64: the same calls under numbers with this bit; nowhere a number of its own
+    // x32 on x86-64: the same calls under numbers with this bit; no other number has it
     program.push_back(BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000U, 0, 1));
     program.push_back(answer(kRefuse));
     for (const auto number : kRefused) {
@@ -69,7 +69,7 @@ std::string system_call_filter() {
     }
     for (const auto number : {SYS_socket, SYS_socketpair}) {
         program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(number), 0, 4));
-        // the first argument's lower half, which all that the kernel looks at is in
+        // the lower half of the first argument: the kernel looks at nothing else
         program.push_back(load(offsetof(seccomp_data, args)));
         program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, AF_UNIX, 0, 1));
         program.push_back(answer(SECCOMP_RET_ALLOW));

@@ -4,13 +4,13 @@
 
 namespace jw::exercises {
 
-/// A filter of system calls for bwrap, as the bytes of a BPF program; empty on processors that it is not
-/// written for.
+/// A filter of system calls for bwrap, as the bytes of a BPF program; empty on processors for which it is not
+/// written.
 ///
-/// A program of a student needs files, memory and processes. Refused is what reaches more of the kernel than
-/// that (bpf, io_uring, keys, mounts, other processes), what takes memory that no limit counts (memfd, System
-/// V shared memory), and every socket but those between its own processes: not all kinds of sockets belong to
-/// a network namespace (AF_VSOCK reaches the host of a virtual machine).
+/// A student's program needs files, memory and processes. The filter refuses what reaches more of the kernel
+/// (bpf, io_uring, keys, mounts, other processes), what takes memory that no limit counts (memfd, System V
+/// shared memory), and every socket except those between the program's own processes: some kinds of sockets
+/// do not belong to a network namespace (AF_VSOCK reaches the host of a virtual machine).
 std::string system_call_filter();
 
 }  // namespace jw::exercises

@@ -16,10 +16,10 @@ namespace {
 
 constexpr const char* kLookName = "look of pictures";
 
-/// Value of a name that is not there: the first look had no number.
+/// Value of a name that is missing; the first look of pictures had no number, so it counts as "1".
 std::string missing(const std::string& name) { return name == kLookName ? "1" : "nothing"; }
 
-/// FNV-1a of 64 bits: tells two versions of a font apart. @source draft-eastlake-fnv
+/// 64-bit FNV-1a hash, to tell two versions of a font apart. @source draft-eastlake-fnv
 std::string hash_of(const std::vector<std::uint8_t>& bytes) {
     std::uint64_t hash = 14695981039346656037ULL;
     for (const std::uint8_t byte : bytes) { hash = (hash ^ byte) * 1099511628211ULL; }
@@ -28,7 +28,7 @@ std::string hash_of(const std::vector<std::uint8_t>& bytes) {
     return text.data();
 }
 
-/// The width of the registers is no part of it: pixels are the same with 128 and 256 bits.
+/// Name of the renderer without the register width: 128 and 256 bits give the same pixels.
 std::string without_register_width(std::string renderer) {
     const std::size_t bits = renderer.find(" bits");
     const std::size_t comma = renderer.rfind(", ", bits);

@@ -5,11 +5,11 @@
 
 namespace jw::host {
 
-/// Things that pictures depend on besides the lesson: the program and what it draws with, with their
+/// Things that pictures depend on besides the lesson: the program, its libraries and the fonts, with their
 /// versions.
 using Environment = std::map<std::string, std::string>;
 
-/// Fonts by what is in their files, which takes ten milliseconds to read.
+/// Hashes of the font files. Reading the files takes ten milliseconds.
 Environment font_environment();
 
 /// Environment of this process: versions of the program and of FreeType, renderer with LLVM and Mesa, fonts.
@@ -18,7 +18,7 @@ Environment font_environment();
 Environment environment(const std::string& renderer, Environment fonts = font_environment());
 
 /// Differences between two environments, in words: "renderer: llvmpipe (LLVM 14) before, llvmpipe (LLVM 15)
-/// now"; empty if nothing does.
+/// now"; empty if there are none.
 std::string environment_change(const Environment& before, const Environment& now);
 
 }  // namespace jw::host

@@ -17,11 +17,11 @@ namespace jw::host {
 
 namespace {
 
-// two seconds: on a busy machine a killed process needs part of one
+// two seconds: on a busy machine, a killed process needs less than one to disappear
 constexpr int kLockTries = 100;
 constexpr std::chrono::milliseconds kLockPause{20};
 
-/// True if the path leads to the open folder: it may have been taken away, and another one made.
+/// True if the path still leads to the open folder, which may have been removed and created again.
 bool leads_to(const std::filesystem::path& path, int folder) {
     struct stat named {};
     struct stat open {};
@@ -32,9 +32,9 @@ bool leads_to(const std::filesystem::path& path, int folder) {
 }  // namespace
 
 bool FolderLock::wait(Kind kind) const {
-    // processes of a run that was killed keep their lock until the system has taken them apart
+    // processes of a killed run keep their lock until the system has removed them
     for (int tries = 0; tries < kLockTries; ++tries) {
-        // where the file system knows no locks, nobody is kept out
+        // if the file system does not support locks, other runs are not kept out
         const int how = (kind == Kind::alone ? LOCK_EX : LOCK_SH) | LOCK_NB;
         if (::flock(folder_, how) == 0 || errno != EWOULDBLOCK) { return true; }
         std::this_thread::sleep_for(kLockPause);
@@ -49,7 +49,7 @@ bool FolderLock::take(const std::filesystem::path& folder, Kind kind, const std:
         const bool is_new = std::filesystem::create_directory(folder, error);
         if (error) { refuse(folder, "cannot be made a folder: " + error.message()); }
         folder_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        // another run may have taken it away in between
+        // another run may have removed the folder in between
         if (folder_ < 0 && errno == ENOENT) { continue; }
         if (folder_ < 0) { return is_new; }
         if (!wait(kind)) {

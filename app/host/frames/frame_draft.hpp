@@ -14,18 +14,18 @@ namespace jw::host {
 
 /// "frame_00042.png"
 std::string frame_name(int number);
-/// True for such a name, which so leads out of no folder.
+/// True for such a name, which therefore cannot lead out of a folder.
 bool is_frame_name(const std::string& name);
 
-/// A folder of pictures that are being drawn, by one process or by several, now or in several runs.
-/// `run.json` in it says what they depend on: only pictures of equal runs come together. Whoever has begun it
-/// alone takes it away in the end, unless it is left for others.
+/// A folder of pictures that are being drawn, by one or several processes, in one or several runs. Its
+/// `run.json` says what the pictures depend on: only equal runs may share the folder. A process that has
+/// begun it alone removes it at the end, unless it leaves it for others.
 class FrameDraft {
 public:
-    /// Role of a process that draws beside others.
+    /// Role of a process that draws together with others.
     enum class Joined {
-        shard,  ///< nobody may begin the folder, go on with it or finish it meanwhile
-        part,   ///< of a run that somebody else has begun, and waits for
+        shard,  ///< meanwhile, no run may begin, continue or finish the folder
+        part,   ///< of a run that another process has begun, and waits for
     };
 
     explicit FrameDraft(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -33,35 +33,35 @@ public:
     FrameDraft(const FrameDraft&) = delete;
     FrameDraft& operator=(const FrameDraft&) = delete;
 
-    /// Begins an empty folder; what a run of ours has left in it is taken away.
+    /// Begins an empty folder. Files that an earlier run of the program has left in it are removed.
     /// @param run  everything that the pictures depend on
-    /// @throws std::runtime_error if there is no room for it, or if it has files of somebody else
+    /// @throws std::runtime_error if another run uses the folder, or if it is a link or has foreign files
     void begin(const Json& run);
-    /// Goes on with what an equal run has left; begins anew where there is nothing.
-    /// @throws std::runtime_error as `begin`, and naming what differs if it was another run
+    /// Continues with the pictures that an equal run has left; begins the folder if it is empty.
+    /// @throws std::runtime_error as `begin`; if the folder is of a different run, it names a difference
     void go_on(const Json& run);
-    /// Draws into it beside others of an equal run, and leaves it to them. @throws std::runtime_error as
-    /// `go_on`
+    /// Draws into the folder together with other processes of an equal run, and leaves it to them.
+    /// @throws std::runtime_error as `go_on`
     void join(const Json& run, Joined as);
-    /// The folder stays as it is, even if this ends early.
+    /// Keeps the folder, even if this object is destroyed early.
     void leave() { is_own_ = false; }
 
-    /// True if the picture is there, whole.
+    /// True if the file of the picture exists and is complete.
     bool has(int number) const;
     bool is_begun() const { return is_begun_; }
 
     const std::filesystem::path& folder() const { return folder_; }
-    /// Takes away what is in it of ours, and the folder where nothing else is.
+    /// Removes the files of the program, and the folder if nothing else is in it.
     void clear();
 
 private:
-    /// Makes the folder if it is not there, and keeps others out of it until it is cleared or this ends.
-    /// @throws std::runtime_error if somebody draws into it, or if it cannot be made
+    /// Creates the folder if it does not exist, and locks it until it is cleared or this object is destroyed.
+    /// @throws std::runtime_error if another run draws into it, or if it cannot be created
     void lock(FolderLock::Kind kind);
     void check_run(const Json& run) const;
-    /// Takes away what is of ours in the folder.
+    /// Removes the files of the program from the folder.
     void empty() const;
-    /// Begins the folder, which is locked and empty.
+    /// Begins the folder, which must be locked and empty.
     void start(const Json& run);
 
     std::filesystem::path folder_;

@@ -12,11 +12,11 @@
 /// Pictures of a lesson as files, and the manifest that maps each to its step.
 namespace jw::host {
 
-/// Writes PNG pictures into a folder, each encoded and written while the next one is drawn. Every file
-/// appears whole or not at all.
+/// Writes PNG pictures into a folder. Each one is encoded and written while the next one is drawn. A file
+/// appears only when it is complete.
 class PictureWriter {
 public:
-    /// @param folder  must be there
+    /// @param folder  must exist
     explicit PictureWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     void add(int number, render::Image image);
@@ -29,29 +29,29 @@ private:
     std::future<void> writing_;
 };
 
-/// Entry of the manifest for a picture, without what its file is.
+/// Entry of the manifest for a picture, without the SHA-256 of its file.
 Json entry_of(int number, const View& view, double seconds);
 
 /// Writes the pictures of one run into a folder, with the manifest that names them.
 class FrameFiles {
 public:
-    /// Makes `folder`, parents included. What is in it stays as it is until the run is finished.
-    /// @param first,last  numbers of the pictures that may come
-    /// @param lesson      its file, which must not be overwritten; empty if it has none
+    /// Creates `folder` and its parents. Its content does not change until the run is finished.
+    /// @param first,last  range of the numbers of pictures
+    /// @param lesson      file of the lesson, which must not be overwritten; empty if it has none
     /// @throws std::runtime_error as FrameFolder
     FrameFiles(
         const std::filesystem::path& folder, int first, int last, const std::filesystem::path& lesson = {});
 
-    /// Folder of the pictures until the run is finished, for those who begin it otherwise than by the first
-    /// picture.
+    /// Folder of the pictures until the run is finished, for callers that begin it themselves; else the first
+    /// picture begins it.
     FrameDraft& draft() { return folder_.draft(); }
 
     void add(int number, const View& view, double seconds, render::Image image);
-    /// Names a picture that somebody else has drawn.
+    /// Adds to the manifest a picture that another process has drawn.
     void add_drawn(int number, const View& view, double seconds);
-    /// Waits for the last picture, puts all of them in their place and writes the manifest, which so names
-    /// only pictures that are there.
-    /// @param head what the manifest says of the whole
+    /// Waits for the last picture, moves all pictures to their place, and then writes the manifest, so that
+    /// it names only pictures that exist.
+    /// @param head  entries of the manifest about the whole run
     void finish(Json head);
 
 private:

@@ -20,8 +20,8 @@ constexpr const char* kManifest = "manifest.json";
 constexpr const char* kUnfinished = "unfinished.json";
 constexpr const char* kDrawn = "unfinished-frames";
 
-/// The pictures that a list of ours names. A file that is cut off names none.
-/// @throws std::runtime_error if it is somebody else's
+/// Pictures that a manifest of the program names; none if the file is cut off.
+/// @throws std::runtime_error if the file is of other origin or version
 std::set<std::string> named_in(const fs::path& path, bool must_be_ours) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -73,7 +73,7 @@ FrameFolder::FrameFolder(fs::path folder, std::set<std::string> names, const fs:
             folder_, "cannot be made a folder" + (error ? ": " + error.message() : "") +
                          "; expected a folder that can be written");
     }
-    // another run may be taking places: what is there now, one of these lists names
+    // another run may be replacing pictures: each picture that exists now is in one of these lists
     const std::vector<std::string> there = names_in(folder_);
     before_ = named_in(folder_ / kManifest, true);
     before_.merge(named_in(folder_ / kUnfinished, false));
@@ -119,7 +119,7 @@ void FrameFolder::finish(const std::string& manifest) {
     std::vector<std::string> drawn = names_in(drawn_in);
     std::erase_if(drawn, [this](const std::string& name) { return !names_.contains(name); });
 
-    // what is there while places are taken, should that be interrupted
+    // lists the pictures while they are replaced, in case this is interrupted
     std::set<std::string> all = before_;
     all.insert(drawn.begin(), drawn.end());
     Json list = Json::array();

@@ -9,26 +9,26 @@
 
 namespace jw::host {
 
-/// A folder of pictures and the manifest that names them. Both belong together at every moment: a run draws
-/// into a folder of its own beside the old pictures ('unfinished-frames') and takes their place when it is
-/// complete, so that a run that fails loses nothing. While places are taken there is no manifest, but a list
-/// of what is there ('unfinished.json'), so that the next run knows what to take away after one that was
-/// interrupted.
+/// A folder of pictures and the manifest that names them. The two always agree: a run draws into a folder of
+/// its own ('unfinished-frames') beside the old pictures, and replaces them when it is complete, so that a
+/// run that fails loses nothing. During the replacement there is no manifest, but a list of all pictures
+/// ('unfinished.json'). If the replacement is interrupted, the list tells the next run which pictures to
+/// remove.
 class FrameFolder {
 public:
-    /// Makes `folder`, parents included.
+    /// Creates `folder` and its parents.
     /// @param names    of the pictures to be written
-    /// @param keep     a file that must not be overwritten, the lesson; may be empty
+    /// @param keep     file of the lesson, which must not be overwritten; may be empty
     /// @throws std::runtime_error if that is not possible, if the folder has a manifest.json or a picture
-    ///         frame_NNNNN.png of somebody else, or if one of the pictures would overwrite `keep`
+    ///         frame_NNNNN.png of other origin, or if one of the pictures would overwrite `keep`
     FrameFolder(std::filesystem::path folder, std::set<std::string> names, const std::filesystem::path& keep);
 
-    /// Folder beside the finished pictures of `folder` that new ones are drawn into.
+    /// Folder that new pictures are drawn into, beside the finished pictures of `folder`.
     static std::filesystem::path draft_folder(const std::filesystem::path& folder);
 
-    /// Folder that pictures are drawn into; begin it before the first one.
+    /// Folder that pictures are drawn into; begin it before the first picture.
     FrameDraft& draft() { return draft_; }
-    /// After the last picture: the new pictures take the place of all that earlier runs have left.
+    /// Call after the last picture: replaces the pictures of all earlier runs by the new ones.
     /// @throws std::runtime_error if the manifest cannot be written
     void finish(const std::string& manifest);
 

@@ -29,17 +29,17 @@ namespace jw::host {
 
 namespace {
 
-/// Pixels of the 3D part of a vector picture for each pixel of the frame.
+/// Resolution of the 3D part of a vector picture, relative to the frame.
 constexpr double kSharper = 2.0;
-// what a transparent picture begins with
+// background of a transparent picture
 constexpr render::Colour kNothing{0.0F, 0.0F, 0.0F, 0.0F};
 
 std::u32string characters_of(const Story& story) {
     return panels::characters_of(story.lesson()) + panels::characters_of_messages();
 }
 
-/// Letters, made ready while this thread draws the first scene: either takes a third of the time to a first
-/// picture.
+/// Fonts, loaded while this thread draws the first scene: each of the two takes a third of the time until
+/// the first picture.
 using LoadingFonts = std::unique_ptr<Background<render::Fonts>>;
 LoadingFonts fonts_for(int width, int height, const FrameLook& look, const std::u32string& characters) {
     return std::make_unique<Background<render::Fonts>>(
@@ -48,7 +48,7 @@ LoadingFonts fonts_for(int width, int height, const FrameLook& look, const std::
         });
 }
 
-/// Letters likewise, before Mesa is loaded, which the environment is changed for: the thread reads it.
+/// As fonts_for, after setting the environment for Mesa: it must not change while the thread reads it.
 LoadingFonts fonts_before_mesa(
     int width, int height, const FrameLook& look, const std::u32string& characters) {
     render::settle_mesa();
@@ -62,14 +62,14 @@ panels::FrameLayout layout_for(int width, int height, const FrameLook& look) {
                            : panels::layout_without_panels(frame, scale);
 }
 
-/// The first tile of a frame; all are as large.
+/// The first tile of a frame; all tiles have its size.
 render::FramePart tile_of(int width, int height, int largest_width) {
     const int wide = std::min(width, largest_width);
     const std::int64_t pixels = std::int64_t{largest_width} * largest_width * 9 / 16;
     return {0, 0, wide, static_cast<int>(std::min<std::int64_t>(height, pixels / wide))};
 }
 
-/// Puts a tile where it belongs into a picture, which is made as large as the frame for the first one.
+/// Copies a tile to its place in a picture. For the first tile, the picture gets the size of the frame.
 void put(
     const render::Image& part, const render::FramePart& tile, const render::FrameSize& frame,
     render::Image& image) {
@@ -128,7 +128,7 @@ struct FramePainter::Surface {
           scene(gl),
           layout(layout_for(width, height, {})) {}
 
-    /// Draws panels, once the letters are there. The context of ImGui must be current.
+    /// Renderer of panels; waits for the fonts. ImGui's context must be current.
     /// @throws std::runtime_error if a font is missing
     Panels& panels() {
         if (!made_panels) { made_panels.emplace(loading->take(), *functions); }
@@ -143,7 +143,7 @@ struct FramePainter::Surface {
     render::Image read(bool is_opaque) {
         return offscreen ? offscreen->read(is_opaque) : targets->read(is_opaque);
     }
-    /// Tiles that cover the frame, all of them as large as the buffers: the last ones overlap those before.
+    /// Tiles that cover the frame. All are as large as the buffers, so the last ones overlap those before.
     std::vector<render::FramePart> tiles() const {
         std::vector<render::FramePart> all;
         for (int y = 0; y < frame.height; y += tile.height) {
@@ -160,16 +160,16 @@ struct FramePainter::Surface {
     }
 
     PanelContext context;
-    // into the context above, which nobody else uses before they are there: see `compose_camera`
+    // uses the context above, which must not be used until the fonts are loaded, see `compose_camera`
     LoadingFonts loading;
     render::FrameSize frame;
-    render::FramePart tile;  // as large as each
-    // destroyed from the last to the first: what holds GL objects goes before their context
+    render::FramePart tile;  // the first one; all have its size
+    // destroyed from the last to the first: owners of GL objects before their context
     std::optional<render::Offscreen> offscreen;
     std::optional<render::RenderTargets> targets;
     const render::GlFunctions* functions;
     render::SceneRenderer scene;
-    std::optional<render::IdBuffer> ids;  // made when layers are asked for
+    std::optional<render::IdBuffer> ids;  // created when layers are requested
     std::uint64_t layers_drawn = 0;
     std::optional<Panels> made_panels;
     panels::FrameLayout layout;
@@ -194,7 +194,7 @@ FramePainter::FramePainter(const Story& story, int width, int height, const rend
 FramePainter::~FramePainter() = default;
 
 void FramePainter::compose_camera() {
-    // ImGui has one current context for all threads: another one comes back when the letters are there
+    // ImGui has one current context for all threads: another one may only return when the fonts are loaded
     if (surface_->context.is_above_another()) { surface_->panels(); }
     surface_->context.leave();
     surface_->camera = camera_of(*story_, style_, surface_->layout.scene, surface_->layout.scene_safe);
@@ -234,7 +234,7 @@ render::Image FramePainter::paint(const View& view, const Picture& picture, cons
 }
 
 render::Image FramePainter::paint_numbered(View view, const Picture& picture, int step, int steps) {
-    // of the step itself: the story may have none of that number
+    // taken from the step itself, because the story may not have a step of the new number
     const Emphasis lit = lit_at(view);
     view.step = step;
     view.steps = steps;
@@ -254,7 +254,7 @@ void FramePainter::draw_scene(const Picture& picture) {
     s.scene.draw(scene, s.camera, s.layout.scene, s.drawn_into(), look_.tone, render::Backdrop::paper);
 }
 
-/// The panels as draw data of ImGui.
+/// Lays out the panels as ImGui's draw data.
 void FramePainter::lay_out_panels(const View& view, const Picture& picture, const Emphasis& lit) {
     Surface& s = *surface_;
     const render::Fonts& fonts = s.panels().fonts;
@@ -289,7 +289,7 @@ render::Image FramePainter::paint(
         draw_scene(picture);
         s.begin_2d();
         end(PaintStage::scene);
-        // letters are there when the first scene is
+        // fonts have been loaded while the first scene was drawn
         if (is_first) { lay_out_panels(view, picture, lit); }
         s.panels().backend.draw(*ImGui::GetDrawData(), s.drawn_into().size(), tile);
         end(PaintStage::panels);

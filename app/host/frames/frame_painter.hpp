@@ -15,32 +15,32 @@
 
 namespace jw::host {
 
-/// Look of frames, beside what they show.
+/// Look of frames, apart from their content.
 struct FrameLook {
     render::Tone tone = render::Tone::light;
-    double text = 1.0;       ///< size of text beside the usual one
-    bool has_panels = true;  ///< false: the 3D picture and its names alone
-    bool is_opaque = true;   ///< false: what is behind bodies and names shines through; without panels only
-    /// Largest width of what is drawn at once [pixels], which has no more pixels than one of this width and
-    /// 9/16 of it in height. Larger frames are drawn tile by tile, in less memory.
+    double text = 1.0;       ///< size of text relative to the usual one
+    bool has_panels = true;  ///< false: only the 3D picture and its names
+    bool is_opaque = true;   ///< false: the background is transparent; only without panels
+    /// Largest width of a tile [pixels]; a tile has at most the pixels of a 16:9 picture of this width.
+    /// Larger frames are drawn tile by tile, to save memory.
     int tile_width = 4096;
 
-    /// Size of letters in a frame, 1 as at 1280x720.
+    /// Size of text in a frame; 1 is the size at 1280x720.
     float scale(int width, int height) const;
 };
 
-/// Parts of painting a frame, in their order.
+/// Stages of painting a frame, in order.
 enum class PaintStage { shadow, scene, panels, read };
-/// Told when each of them has ended, for those who measure: then, and only then, each is waited for.
+/// Called at the end of each stage, for measurements. Only if it is given, painting waits for each stage.
 using OnPaintStage = std::function<void(PaintStage)>;
 
-/// Draws steps of one story into memory, panels included. The camera is composed once, so that nothing jumps
-/// from frame to frame; a frame depends on its step alone, not on the frames drawn before.
+/// Draws steps of one story into memory, with panels. The camera is chosen once, so that nothing jumps from
+/// frame to frame. A frame depends only on its step, not on the frames drawn before.
 class FramePainter {
 public:
-    /// `story` must outlive this. Width and height in pixels. Fonts are read in a thread, until the first
-    /// panels are drawn.
-    /// @throws std::runtime_error if OSMesa is missing; the first picture does if a font is
+    /// `story` must outlive this. Width and height in pixels. Fonts are loaded in a thread; the first panels
+    /// wait for it.
+    /// @throws std::runtime_error if OSMesa is missing. If a font is missing, the first `paint` throws it
     FramePainter(const Story& story, int width, int height, const FrameLook& look = {});
     /// Paints in an existing context, which must be current here, in `paint` and at destruction.
     FramePainter(const Story& story, int width, int height, const render::GlFunctions& gl);
@@ -48,26 +48,26 @@ public:
     FramePainter(const FramePainter&) = delete;
     FramePainter& operator=(const FramePainter&) = delete;
 
-    /// Waits for the fonts, for those who write something before the first picture.
-    /// @throws std::runtime_error if one is missing
+    /// Waits for the fonts, for callers that write something before the first picture.
+    /// @throws std::runtime_error if a font is missing
     void wait_for_fonts();
 
     render::Image paint(const View& view);
 
     const render::Camera& camera() const;
-    /// Picture that `paint` draws in 3D, for those who look at it or change it before it is drawn.
+    /// The 3D picture that `paint` draws, for callers that inspect or change it first.
     Picture picture(const View& view) const;
-    /// Picture of a step in the place of that of the view: its bodies may be elsewhere.
+    /// Picture of `step` instead of the view's step: its bodies may have another pose.
     Picture picture(const View& view, const Step& step) const;
-    /// Paints another 3D part than that of the step.
+    /// Paints `picture` instead of the 3D picture of the step.
     render::Image paint(const View& view, const Picture& picture, const OnPaintStage& ended = {});
-    /// Paints the step as one of another number among others: `step` counts from 0, as in the view.
+    /// Paints the step as number `step` of `steps`; `step` counts from 0, as in the view.
     render::Image paint_numbered(View view, const Picture& picture, int step, int steps);
-    /// The frame as a file of lines, areas and letters; its 3D part is a picture of twice as many pixels.
+    /// The frame as a vector file; its 3D part is an image of twice the resolution.
     std::vector<std::uint8_t> vector_file(const View& view, render::VectorFormat format);
     /// Name of the renderer, with the versions of OpenGL and Mesa.
     std::string renderer() const;
-    /// Things seen at each pixel of the 3D part, and their depth.
+    /// The object at each pixel of the 3D part, and its depth.
     render::PictureLayers layers(const Picture& picture);
 
 private:

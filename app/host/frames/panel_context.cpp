@@ -20,7 +20,7 @@ PanelContext::~PanelContext() {
 }
 
 void PanelContext::enter() const {
-    // a thread that makes letters may read which one is current
+    // do not write needlessly: a thread that loads fonts may be reading the current context
     if (ImGui::GetCurrentContext() != context_) { ImGui::SetCurrentContext(context_); }
 }
 

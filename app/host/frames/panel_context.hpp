@@ -4,18 +4,18 @@ struct ImGuiContext;
 
 namespace jw::host {
 
-/// ImGui for pictures without a window: nothing is read from or written to a file, no clock. It is current
-/// from its making to `leave`, and again from `enter`; the one that was current before comes back between
-/// frames.
+/// ImGui context for pictures without a window: it uses neither files nor a clock. It is current from its
+/// creation to `leave`, and again from `enter` to `leave`; between frames the previous context is current
+/// again.
 class PanelContext {
 public:
-    /// Pixels.
+    /// Size in pixels.
     PanelContext(int width, int height);
     ~PanelContext();
     PanelContext(const PanelContext&) = delete;
     PanelContext& operator=(const PanelContext&) = delete;
 
-    /// True if another one was current when this was made.
+    /// True if another context was current when this one was created.
     bool is_above_another() const { return before_ != nullptr; }
 
     void enter() const;

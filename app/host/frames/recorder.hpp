@@ -8,7 +8,7 @@
 #include "app/session/view/view.hpp"
 #include "render/image.hpp"
 
-/// Pictures of a lesson on their way to whoever asked for them.
+/// Output of the pictures of a lesson.
 namespace jw::host {
 
 class Recorder {
@@ -20,14 +20,14 @@ public:
 
     /// @param number   of the picture; @param seconds  how long it is shown
     virtual void add(int number, const View& view, double seconds, render::Image image) = 0;
-    /// After the last picture. @param head  what is said of the whole
-    /// @return where the pictures are, to be read by people
+    /// Call after the last picture. @param head  entries about the whole recording
+    /// @return message that says where the pictures are
     virtual std::string finish(Json head) = 0;
 };
 
-/// Recorder of this surface: into a folder with a manifest, or, in a page, into a film that is downloaded.
-/// @param path        without extension
-/// @param first,last  numbers of the pictures that may come
+/// Recorder of this platform: writes a folder with a manifest or, in a web page, a film to download.
+/// @param path        of the result, without extension
+/// @param first,last  range of the numbers of pictures
 /// @throws std::runtime_error if nothing can be written there
 std::unique_ptr<Recorder> make_recorder(const std::filesystem::path& path, int first, int last);
 

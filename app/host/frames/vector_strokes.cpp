@@ -17,14 +17,14 @@ void VectorStrokes::fill(const panels::Box& box, const Colour& colour, float rou
 }
 
 void VectorStrokes::outline(const panels::Box& box, const Colour& colour, float thickness, float rounding) {
-    // as ImGui, which draws it half a pixel inside
+    // like ImGui, which draws the outline half a pixel inside
     const panels::Box inside{box.x + 0.5F, box.y + 0.5F, box.width - 1.0F, box.height - 1.0F};
     picture_.outline(
         corner(inside), wide(inside.width), wide(inside.height), colour, wide(thickness), wide(rounding));
 }
 
 void VectorStrokes::line(panels::Point from, panels::Point to, const Colour& colour, float thickness) {
-    // ImGui draws lines through the middles of pixels
+    // like ImGui, which draws lines through the centres of pixels
     const Place a = place({from.x + 0.5F, from.y + 0.5F});
     const Place b = place({to.x + 0.5F, to.y + 0.5F});
     picture_.line(a, b, colour, wide(thickness));
@@ -35,7 +35,7 @@ void VectorStrokes::disc(panels::Point centre, float radius, const Colour& colou
 }
 
 void VectorStrokes::ring(panels::Point centre, float radius, const Colour& colour, float thickness) {
-    // as ImGui: the outer edge of one pixel is at the radius
+    // like ImGui: the outer edge of a ring one pixel wide is at the radius
     picture_.ring(place(centre), wide(radius - 0.5F), colour, wide(thickness));
 }
 

@@ -16,13 +16,13 @@ namespace jw::host {
 
 namespace {
 
-// no browser keeps longer ones
+// no browser keeps longer addresses
 constexpr std::size_t kLongest = 1U << 20U;
-// a place for every body and a few changes of every joint of the largest lessons
+// enough for a place of every body and a few changes of every joint in the largest lessons
 constexpr std::size_t kMostExperiments = 1000;
-// nearer to the poles a picture has no definite heading; cameras turned by hand keep 1e-3 rad away
+// nearer to the poles, the heading of a picture is undefined; cameras turned by hand stay 1e-3 rad away
 constexpr double kLeastTilt = 1e-6;
-// relative to where they are: eye and target are told apart
+// of eye and target, relative to their distance from the origin
 constexpr double kLeastDistance = 1e-12;
 constexpr double kWidestView = 3.1;  // [rad]
 
@@ -44,7 +44,7 @@ std::string numbers_of(const render::Vector3d& v) {
            writing::number_text(v.z());
 }
 
-/// "3 -4 2.5 to 0 0 0 up 0 1 0 angle 0.4 parallel": the eye, what it looks at, and what is not usual.
+/// "3 -4 2.5 to 0 0 0 up 0 1 0 angle 0.4 parallel": eye, target, and what differs from the usual camera.
 std::string camera_text(const render::Camera& camera) {
     const render::Camera usual;
     std::string text = numbers_of(camera.eye) + " to " + numbers_of(camera.target);
@@ -120,11 +120,11 @@ private:
     void begin_behind_url() {
         const std::size_t sharp = text_.find('#');
         const bool is_url = text_.find("://") < std::min(text_.find('?'), sharp);
-        // a page without an address of its own shows the list of lessons
+        // a URL without # shows the list of lessons
         begin_ = sharp != std::string_view::npos ? sharp + 1 : (is_url ? text_.size() : 0);
     }
 
-    /// Behind the last slash is the place in the lesson.
+    /// Reads lesson and place: the place in the lesson follows the last slash.
     void read_place(std::size_t end) {
         const std::string_view path = text_.substr(begin_, end - begin_);
         const std::size_t slash = path.rfind('/');
@@ -171,8 +171,8 @@ private:
         value = read;
     }
 
-    /// Text between two bytes, with %XX as the bytes that they stand for.
-    /// @param form  a + is a blank
+    /// Text between two bytes, with each %XX replaced by the byte that it stands for.
+    /// @param form  a + stands for a blank
     std::string decoded(std::size_t begin, std::size_t end, bool form) const {
         std::string out;
         for (std::size_t k = begin; k < end; ++k) {
@@ -206,7 +206,7 @@ private:
     }
 
     std::string_view text_;
-    std::size_t begin_ = 0;  ///< of the address in it
+    std::size_t begin_ = 0;  ///< of the address in the text
     Address address_;
 };
 

@@ -7,36 +7,35 @@
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/search.hpp"
 
-/// The lessons that can be opened: those of the catalogue by chapter, and the ones opened last.
+/// The lessons that can be opened: those of the catalogue by chapter, and those opened last.
 namespace jw::host {
 
 struct CatalogueEntry {
     std::filesystem::path path;
     std::string chapter;
-    std::string heading;  ///< its title, empty where no course names it
-    std::string title;    ///< the file's name where the file has mistakes
+    std::string heading;  ///< title of the chapter; empty if no course names it
+    std::string title;    ///< or the file's name if the file has mistakes
     std::string source;
     std::string text;  ///< the lesson's introduction
     Searchable searchable;
-    std::vector<IndexedExercise> exercises;  ///< that belong to it
-    std::string error;                       ///< first of its mistakes, empty if there is none
+    std::vector<IndexedExercise> exercises;  ///< that belong to the lesson
+    std::string error;                       ///< first mistake of the file, empty if there is none
     void* thumbnail = nullptr;  ///< small picture for ImGui (ImTextureID), nullptr until there is one
 };
 
-/// The lessons in `unsaved` and the `recent` ones that are still there, the last few of them, each under a
-/// chapter of their own; then the lessons below `folder` in the order of their course, behind a course with
-/// mistakes.
+/// First the lessons in `unsaved` and in `recent`: the last few that still exist, each group under a chapter
+/// of its own. Then courses with mistakes, and the lessons below `folder` in the order of their course.
 std::vector<CatalogueEntry> catalogue_of(
     const std::filesystem::path& folder, const std::vector<std::filesystem::path>& recent,
     const std::vector<std::filesystem::path>& unsaved = {});
 
 /// Name of a lesson below a folder: "loops/four-bar".
 std::string name_below(const std::filesystem::path& lesson, const std::filesystem::path& folder);
-/// Name of a lesson in addresses: "four-bar"; "loops/four-bar" where several of the lessons below `folder`
-/// have files of this name; "mine.toml" where it is none of them.
+/// Name of a lesson in addresses: "four-bar"; "loops/four-bar" if several lessons below `folder` have a file
+/// of this name; "mine.toml" if the lesson is not below `folder`.
 std::string name_in_addresses(const std::filesystem::path& lesson, const std::filesystem::path& folder);
-/// The lesson of this name below `folder`, or of `others`.
-/// @throws std::runtime_error where there is none, or no single one
+/// The lesson of this name below `folder`, or among `others`.
+/// @throws std::runtime_error if there is none, or more than one
 std::filesystem::path lesson_at_address(
     const std::string& name, const std::filesystem::path& folder,
     const std::vector<std::filesystem::path>& others);
@@ -53,7 +52,7 @@ public:
     static std::filesystem::path usual_file();
 
     const std::vector<std::filesystem::path>& paths() const { return paths_; }
-    /// Puts `path` first. That the list cannot be written is no reason to stop.
+    /// Puts `path` first. It is not an error if the list cannot be written.
     void add(const std::filesystem::path& path);
 
 private:

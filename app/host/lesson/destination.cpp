@@ -30,7 +30,7 @@ int joint_of(const Address& address, const Lesson& lesson) {
 Destination destination_of(const Lesson& lesson, const Address& address, const Storyteller& tell) {
     Destination destination;
     destination.session = session_after(lesson, address.experiments, tell);
-    // where the experiments have led, unless a place is named
+    // the step to which the experiments have led, unless the address names a place
     destination.step =
         address.at.empty() ? destination.session->index() : step_of(address, destination.session->story());
     destination.joint = joint_of(address, lesson);

@@ -9,7 +9,7 @@ LessonFile::LessonFile(std::filesystem::path path) : path_(std::move(path)) {}
 
 ReadResult LessonFile::read() {
     std::error_code error;
-    // first: what is written meanwhile is read the next time
+    // taken before reading: a change during the reading is then noticed the next time
     written_ = std::filesystem::last_write_time(path_, error);
     return read_lesson_file(path_);
 }

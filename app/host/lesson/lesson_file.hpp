@@ -17,7 +17,7 @@ public:
     ReadResult read();
     /// True if the file was written since it was read; false while it does not exist.
     bool is_saved_anew() const;
-    /// Makes the file count as saved anew, whenever it was written.
+    /// Makes the file count as saved again, whenever it was written.
     void distrust() { written_ = {}; }
 
 private:

@@ -14,7 +14,7 @@ void LessonShelf::refresh(const std::vector<std::filesystem::path>& unsaved) {
     std::vector<CatalogueEntry> entries = catalogue_of(folder_, recent_.paths(), unsaved);
     for (CatalogueEntry& entry : entries) {
         for (const CatalogueEntry& before : entries_) {
-            // a picture is drawn once per run
+            // keep the picture: it is drawn once per run
             std::error_code error;
             if (std::filesystem::equivalent(before.path, entry.path, error) && entry.error.empty()) {
                 entry.thumbnail = before.thumbnail;

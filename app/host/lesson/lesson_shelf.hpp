@@ -8,47 +8,48 @@
 
 namespace jw::host {
 
-/// The lessons to choose from: those that are there, those that a search shows, and the chosen one.
+/// The lessons to choose from: all of them, those that a search shows, and the selected one.
 class LessonShelf {
 public:
     /// @param folder       of the lessons offered
     /// @param recent_file  see RecentLessons
     LessonShelf(std::filesystem::path folder, std::filesystem::path recent_file);
 
-    /// Looks which lessons there are; nothing is searched for any more.
-    /// @param unsaved  files of what was tried and not saved
+    /// Reads again which lessons there are, and clears the search.
+    /// @param unsaved  files of unsaved experiments
     void refresh(const std::vector<std::filesystem::path>& unsaved);
     void add_recent(const std::filesystem::path& path) { recent_.add(path); }
 
-    /// Name of a lesson in addresses, and the lesson of such a name: one of those offered, or opened last.
+    /// Name of a lesson in addresses.
     std::string name_of(const std::filesystem::path& lesson) const {
         return name_in_addresses(lesson, folder_);
     }
-    /// @throws std::runtime_error where there is none
+    /// The lesson with such a name, among those offered or opened last.
+    /// @throws std::runtime_error if there is none
     std::filesystem::path lesson_called(const std::string& name) const {
         return lesson_at_address(name, folder_, recent_.paths());
     }
 
     /// Grows with every `refresh`.
     int version() const { return version_; }
-    /// Whoever draws adds the thumbnails, which `refresh` keeps.
+    /// The entries. Whoever draws adds the thumbnails, which `refresh` keeps.
     std::vector<CatalogueEntry>& entries() { return entries_; }
     const std::vector<CatalogueEntry>& entries() const { return entries_; }
 
     const std::string& search() const { return search_; }
-    /// Nothing is chosen then.
+    /// Searches for `text`, and clears the selection.
     void search_for(const std::string& text);
     void erase_letter();
     void clear_search() { search_.clear(); }
     /// Indices of the entries that the search shows.
     std::vector<int> found() const { return found_in(entries_, search_); }
 
-    /// Index of an entry; -1: none.
+    /// Index of the selected entry; -1: none.
     int chosen() const { return chosen_; }
     void choose(int index) { chosen_ = index; }
-    /// Moves the choice by `by` among what the search shows.
+    /// Moves the selection by `by` among the entries that the search shows.
     void move_choice(int by);
-    /// The chosen lesson, or the first that the search shows if none is chosen; nullptr if there is none.
+    /// The selected lesson, or the first that the search shows if none is selected; nullptr if there is none.
     const CatalogueEntry* chosen_or_first();
 
 private:

@@ -15,9 +15,9 @@ namespace {
 constexpr double kSlowest = 0.25;
 constexpr double kFastest = 4.0;
 constexpr double kFreedomSeconds = 3.0;  // there and back
-// between two frames of something that moves: no display shows more
+// time between two frames of a motion [s]: no display shows more
 constexpr double kMoving = 1.0 / 60.0;
-constexpr double kCountdown = 0.25;  // between two looks at it
+constexpr double kCountdown = 0.25;  // time between two updates of the countdown [s]
 
 }  // namespace
 
@@ -62,7 +62,7 @@ std::optional<int> Playback::step_after(double seconds, const Session& session) 
     while (step < last && step_waited_ >= due) {
         step_waited_ -= due;
         ++step;
-        // moments of a motion are equally long; whatever else comes is waited for from its beginning
+        // moments of a motion are equally long; any other step is shown from its beginning
         const Step& reached = session.story().steps()[static_cast<std::size_t>(step)];
         if (session.step().kind != Step::Kind::motion || reached.kind != Step::Kind::motion) {
             step_waited_ = 0.0;
@@ -91,7 +91,7 @@ double Playback::seconds_to_change(const Session& session) const {
     if (!playing_) { return std::numeric_limits<double>::infinity(); }
     const double step = seconds_of_step(session.story(), session.view());
     const double left = (step - step_waited_) / speed_;
-    // a still counts down on the timeline
+    // during a still, the timeline shows a countdown
     return std::max(kMoving, session.step().kind == Step::Kind::motion ? left : std::min(left, kCountdown));
 }
 

@@ -6,7 +6,7 @@
 
 namespace jw::host {
 
-/// Playback of what moves by itself: the story from step to step, or one of the free motions there and back.
+/// Playback of the story from step to step, or of one of the free motions there and back.
 class Playback {
 public:
     bool plays() const { return playing_; }
@@ -23,20 +23,20 @@ public:
     void play();
     void faster();
     void slower();
-    /// The slowest after the fastest.
+    /// Doubles the speed; the slowest speed follows the fastest.
     void next_speed();
 
-    /// A step is shown from its beginning, and no free motion.
+    /// Shows the step from its beginning, and no free motion.
     void begin_step();
-    /// Begins the step anew and pauses.
+    /// Begins the step again and pauses.
     void stop();
     /// Follows a free motion from the shown pose; pauses the story.
     void follow(int freedom);
     void leave_freedom() { freedom_ = -1; }
 
-    /// The step to be shown after so many seconds more; nothing while it is the same. The last one pauses.
+    /// The step to show `seconds` later; nothing if it is the same step. At the last step playback pauses.
     std::optional<int> step_after(double seconds, const Session& session);
-    /// The pose to be shown after so many seconds more; nothing if no free motion is followed.
+    /// The pose to show `seconds` later; nothing if no free motion is followed.
     std::optional<ShowFreedom> freedom_after(double seconds);
     /// Time until the next still is shown [s]; nothing while it does not play, or plays a motion.
     std::optional<double> seconds_to_next_still(const Session& session) const;
@@ -46,7 +46,7 @@ public:
 private:
     bool playing_ = false;
     double speed_ = 1.0;
-    double step_waited_ = 0.0;  ///< how long the step is shown, at speed 1 [s]
+    double step_waited_ = 0.0;  ///< how long the step has been shown, at speed 1 [s]
     int freedom_ = -1;
     double freedom_time_ = 0.0;
 };

@@ -33,7 +33,7 @@ Saved save_text(const std::filesystem::path& path, const std::string& text) {
 
 Saved save_lesson(const std::filesystem::path& path, const Session& session) {
     const std::string text = text_to_save(session);
-    // a text that cannot be read back must not be discovered in the next lecture
+    // check now that the file can be read back: the next lecture would be too late
     const ReadResult read = read_lesson(text, path.filename().string());
     return read.lesson ? save_text(path, text) : Saved{false, tr("Not saved: {0}", read.report())};
 }

@@ -5,13 +5,13 @@
 
 #include "app/session/try/session.hpp"
 
-/// Files that are made of the open lesson, and what to say of them.
+/// Files made from the open lesson, and the messages about them.
 namespace jw::host {
 
-/// Task for whoever draws, kept until it is done.
+/// Task for the code that draws, kept until it is done.
 enum class DrawingTask { none, save_picture, record };
 
-/// End of the name of what a task makes at a step: "-step-12.png", "-frames".
+/// End of the name of the file or folder that a task makes at a step: "-step-12.png", "-frames".
 std::string suffix_of(DrawingTask task, int step);
 
 /// "four-bar-2.png": a name in `folder` that is not taken.
@@ -22,10 +22,10 @@ std::filesystem::path free_name(
 
 struct Saved {
     bool done = false;
-    std::string said;  ///< that it was done, or why it was not
+    std::string said;  ///< message: saved, or why not
 };
 Saved save_text(const std::filesystem::path& path, const std::string& text);
-/// The lesson as it stands, where it can be read back.
+/// Saves the lesson in its present state, if the file can be read back.
 Saved save_lesson(const std::filesystem::path& path, const Session& session);
 
 }  // namespace jw::host

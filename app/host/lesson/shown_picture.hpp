@@ -6,10 +6,10 @@
 
 #include "app/session/try/session.hpp"
 
-/// The 3D picture of the open lesson as a person sees it.
+/// The 3D picture of the open lesson as the user sees it.
 namespace jw::host {
 
-/// Selection that lights up, with everything that belongs to it.
+/// Selection that is highlighted, with everything that belongs to it.
 struct Lit {
     Pointable pointed_at;
     std::vector<int> rows;  ///< of the system
@@ -22,29 +22,29 @@ Emphasis emphasis_of(const Session& session, const Lit& lit);
 /// Other poses of the bodies, to be drawn pale.
 struct Ghosts {
     std::span<const State> poses;
-    std::uint64_t version = 0;  ///< grows with every change of them
+    std::uint64_t version = 0;  ///< grows with every change of the poses
 };
 
-/// The picture of a session with what is lit and what is pale, made anew only where one of them changed.
+/// The picture of a session with highlights and ghosts, made again only if one of these has changed.
 class ShownPicture {
 public:
     const Picture& of(const Session& session, const Lit& lit, const Ghosts& ghosts);
-    /// A picture that is not one of a session; the same one as long as it has the same address.
+    /// A picture that does not belong to a session; it is identified by its address.
     const Picture& of(const Picture& still);
     /// The picture that was made last; empty before.
     const Picture& picture() const { return picture_; }
 
-    /// Another session follows: its versions say nothing about those of the one before.
+    /// Call when another session follows: its versions cannot be compared with those of the previous one.
     void forget_session() {
         made_of_.session = 0;
         still_ = nullptr;
     }
-    /// Has the same picture drawn again, in other colours.
+    /// Lets the same picture be drawn again, in other colours.
     void redraw() { ++version_; }
 
     /// Grows with every change of the picture.
     std::uint64_t version() const { return version_; }
-    /// Counts the poses shown, over all sessions: what lights up does not count.
+    /// Counts the poses shown, over all sessions; highlighting does not count.
     std::uint64_t pose_version() const { return pose_version_; }
 
 private:

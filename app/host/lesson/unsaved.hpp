@@ -6,31 +6,30 @@
 
 #include "app/session/try/session.hpp"
 
-/// Experiments of a lesson that are not saved, kept in a file meanwhile: whatever ends the program, it is
-/// there.
+/// Unsaved experiments of a lesson, kept in a file, which remains however the program ends.
 namespace jw::host {
 
-/// The text of the lesson as it stands, without the claims, which were made of the lesson as it was written.
+/// The text of the lesson in its present state, without the claims: they are about the lesson as written.
 std::string text_to_save(const Session& session);
 
 class UnsavedCopy {
 public:
-    /// @param folder  of the copies, made when it is needed; empty: nothing is kept
+    /// @param folder  of the copies, created when it is needed; empty: nothing is kept
     explicit UnsavedCopy(std::filesystem::path folder);
 
-    /// Writes the lesson if it was changed since the last call; takes the copy away where nothing is changed.
-    /// @param name  of the copy without ending: that of the lesson's file
-    /// @return why it cannot be written, once for each session; empty if it was, or need not be
+    /// Writes the lesson if it was changed since the last call; removes the copy if nothing is changed.
+    /// @param name  of the copy without extension: that of the lesson's file
+    /// @return why it cannot be written, once for each session; empty if it was written or need not be
     std::string keep(const Session& session, const std::string& name);
 
-    /// The lesson as it stands was saved by the person: the copy is taken away.
+    /// Call when the user has saved the lesson in its present state: the copy is removed.
     void saved(const Session& session);
-    /// Another session begins. The copy of the one before stays.
+    /// Call when another session begins. The copy of the previous session stays.
     void begin_anew();
 
-    /// Empty where there is no copy.
+    /// Path of the copy; empty if there is none.
     const std::filesystem::path& path() const { return path_; }
-    /// Copies of sessions before this one, newest first.
+    /// Copies of previous sessions, newest first.
     std::vector<std::filesystem::path> others() const;
 
 private:
@@ -38,7 +37,7 @@ private:
 
     std::filesystem::path folder_;
     std::filesystem::path path_;
-    std::uint64_t told_ = 0;  ///< telling of the session that the copy is of, or that needs none
+    std::uint64_t told_ = 0;  ///< telling that the copy is of, or that needs none
     bool complained_ = false;
 };
 

@@ -18,15 +18,15 @@ namespace jw::host {
 namespace {
 
 constexpr float kBetweenButtons = 4.0F;
-constexpr double kLongestPause = 99.0;  // [s] of a still, for the width of the button
+constexpr double kLongestPause = 99.0;  // of a still [s], for the width of the button
 
 enum class RowButton { first, back, play, motion, next, speed, lessons, menu, help };
 
 /// A button of the row, from the left.
 struct RowEntry {
     RowButton button;
-    bool steps;    ///< or plays; a figure has none of these
-    int given_up;  ///< what goes first where there is no room; 0 stays
+    bool steps;    ///< steps or plays: not for a figure
+    int given_up;  ///< order of removal if there is not enough room; 0 stays
 };
 constexpr std::array kRow{RowEntry{RowButton::first, true, 3},    RowEntry{RowButton::back, true, 0},
                           RowEntry{RowButton::play, true, 0},     RowEntry{RowButton::motion, true, 4},
@@ -56,7 +56,7 @@ float width_of_label(const std::string& label) {
     return ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
-/// Width for any label that the button can have; of a short one, the height.
+/// Width for the longest label of the button; for short labels, the height.
 float needed_width(RowButton button, float height) {
     switch (button) {
         case RowButton::play:

@@ -14,14 +14,14 @@ struct ButtonSize {
     float height = 0.0F;
 };
 
-/// "Play", or "Pause 7 s" with the time until the next still, which also shrinks as a line.
+/// "Play", or "Pause 7 s" with the time until the next still, which is also shown as a shrinking line.
 void play_button(const LessonUi& ui, const ButtonSize& size);
 void speed_button(const LessonUi& ui, const ButtonSize& size);
 void menu_button(const LessonUi& ui, const ButtonSize& size);
 
-/// All buttons side by side, as high as the row: what is in the menu, too, is left out where there is no
-/// room.
-/// @param steps  those that step and play, too
+/// All buttons side by side, as high as the row. If there is not enough room, buttons whose command is also
+/// in the menu are left out.
+/// @param steps  include the buttons that step and play
 void row_of_buttons(const LessonUi& ui, const panels::Box& row, bool steps);
 
 /// Label of the button that plays: "Play", "Pause", or "Pause 7 s" with the time until the next still.

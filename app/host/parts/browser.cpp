@@ -23,7 +23,7 @@ using panels::Box;
 using panels::Canvas;
 namespace theme = panels::theme;
 
-constexpr float kCardWidth = 216.0F;  // at least; cards share the room
+constexpr float kCardWidth = 216.0F;  // at least; the cards share the width
 constexpr float kPictureShape = 0.569F;
 constexpr float kWordsHeight = 74.0F;
 constexpr float kCardGap = 14.0F;
@@ -85,7 +85,7 @@ std::string headline(const CatalogueEntry& entry) {
     return text;
 }
 
-/// One card at the cursor of ImGui, the name of its chapter above if it is the first; a click opens it.
+/// One card at ImGui's cursor, below the name of its chapter if it is the first one. A click opens it.
 void card(
     const Ui& ui, LessonShelf& shelf, const Progress& progress, int index, float width,
     bool first_of_chapter) {
@@ -143,7 +143,7 @@ void draw_head(const Canvas& canvas, const Box& box) {
         panels::shortened(*canvas.fonts().small, about, room));
 }
 
-/// Buttons beside the name, the search below it.
+/// Head of an upright window: the name with buttons beside it, and the search below.
 void upright_head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
     draw_head(ui.canvas, box);
     Area area(ui, "lessons head", box);
@@ -207,7 +207,7 @@ void browser(
 bool act_in_browser(const InputEvent& event, LessonShelf& shelf, Requests& requests) {
     const bool typing = ImGui::GetIO().WantTextInput;
     if (event.kind == InputEvent::Kind::text) {
-        // letters search, wherever the keyboard is; the field takes its own
+        // letters are for the search even if its field does not have the keyboard
         const bool letter = event.character > ' ' && event.character < 127 && event.character != '?';
         if (!letter || typing) { return typing; }
         shelf.search_for(shelf.search() + static_cast<char>(event.character));

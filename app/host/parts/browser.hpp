@@ -10,7 +10,7 @@
 namespace jw::host {
 
 /// @param progress  of the exercises that the cards count
-/// @param has_lesson  one is open: there is a way back to it
+/// @param has_lesson  a lesson is open, so there is a way back to it
 void browser(
     const Ui& ui, const WindowLayout& window, LessonShelf& shelf, const Progress& progress, bool has_lesson);
 

@@ -67,7 +67,7 @@ ExerciseDesk::News ExerciseDesk::look(const OpenLesson& open, ExerciseTab& tab) 
     if (practice_.task() != nullptr && practice_.tasks_made() != begun_) { begin(tab); }
     if (drawing_ && drawing_->is_done()) {
         const auto done = std::move(drawing_);
-        // a scene that cannot be drawn is no reason not to ask
+        // the exercise is asked even if its scene cannot be drawn
         try {
             figure_ = done->take();
         } catch (const std::exception&) { figure_.reset(); }
@@ -109,7 +109,7 @@ void ExerciseDesk::begin(ExerciseTab& tab) {
     }
 }
 
-/// Writes the working copy, or goes on with the one that is there.
+/// Writes the working copy, or continues with an existing one.
 void ExerciseDesk::begin_work(const Task& task, ExerciseTab& tab) {
     const Exercise& exercise = task.exercise();
     std::string text = handed_out(task);
@@ -124,7 +124,7 @@ void ExerciseDesk::begin_work(const Task& task, ExerciseTab& tab) {
         if (before.problem.empty() || write_lesson_file(path, text, error)) { work_.file = path; }
     }
     if (exercise.kind != ExerciseKind::experiment && tab.answer().empty()) { tab.set_answer(text); }
-    // what a student left behind may be no lesson
+    // the student may have left a file that is not a lesson
     ReadResult read = read_lesson(text, name);
     if (!read.lesson) { read = read_lesson(handed_out(task), name); }
     if (!read.lesson) { return; }

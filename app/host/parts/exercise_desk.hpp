@@ -24,39 +24,39 @@ struct OpenLesson {
 /// An exercise in the window: its figure, or the lesson that it hands out, in place of the open lesson.
 class ExerciseDesk {
 public:
-    /// Working copies of lessons are kept in the folder of the progress file.
-    /// @param programs  folder for programs to begin with; empty: that of the working copies
+    /// Working copies of lessons are kept in the folder `exercises` beside the progress file.
+    /// @param programs  folder for starter programs; empty: that of the working copies
     explicit ExerciseDesk(PracticeSetup setup, std::filesystem::path programs = {});
 
     Practice& practice() { return practice_; }
     const Practice& practice() const { return practice_; }
     const ExerciseWork& work() const { return work_; }
-    /// The scene of the exercise begun; nullptr if it has none, or it is not drawn yet.
+    /// The scene of the current exercise; nullptr if it has none, or if it is not drawn yet.
     const Still* figure() const { return figure_.get(); }
-    /// A lesson of the exercise is open in place of the one put aside.
+    /// True if a lesson of the exercise is open, and the other one was put aside.
     bool has_aside() const { return aside_.has_value(); }
     bool is_busy() const { return practice_.is_busy() || drawing_ || telling_; }
 
-    /// Another lesson is open. @param open  the lesson of the exercise, if there is one, is dropped
+    /// Call when another lesson has been opened; a lesson that was put aside is discarded.
     void open(const std::filesystem::path& lesson_file);
     /// What `look` did.
     struct News {
         bool any = false;
         bool other_picture = false;  ///< another lesson, or figure
     };
-    /// Takes over what was computed: begins a task whose numbers are drawn, gives back the lesson put aside
-    /// where the exercise was left.
+    /// Takes over computed results: begins a task when its numbers are ready, and brings back the lesson put
+    /// aside when the exercise was left.
     News look(const OpenLesson& open, ExerciseTab& tab);
-    /// Waits for everything under way.
+    /// Waits for all running computations.
     void wait();
 
-    /// Judges what stands in the field, or what was made of the lesson. @throws NotToldYet
-    /// @return what there is to say beside the verdict, mostly nothing
+    /// Judges the text in the field, or the lesson as it was changed. @throws NotToldYet
+    /// @return message besides the verdict, usually empty
     std::string check(const OpenLesson& open, const std::string& answer);
-    /// Writes a program to begin with, and its input. @return what was done
+    /// Writes a starter program, and its input. @return message that says what was done
     std::string write_starter(const std::string& file) const;
-    /// The file of the working copy was saved anew by another program, or the lesson was changed in the
-    /// window: the field, or the list of experiments, follows.
+    /// Call when the lesson was changed in the window, or when another program has saved the working copy:
+    /// the field, or the list of experiments, is updated.
     void follow_lesson(const Session& session, ExerciseTab& tab);
     void follow_file(const LessonFile& file, ExerciseTab& tab);
 
@@ -74,7 +74,7 @@ private:
     std::filesystem::path programs_;
     Practice practice_;
     ExerciseWork work_;
-    int begun_ = 0;               ///< tasks made when the last one was begun
+    int begun_ = 0;               ///< number of tasks made when the last one was begun
     std::uint64_t followed_ = 0;  ///< telling of the lesson that the field shows
     std::optional<SetAside> aside_;
     std::shared_ptr<const Still> figure_;

@@ -4,10 +4,10 @@
 
 namespace jw::host {
 
-/// Every command with its keys; opened by ImGui::OpenPopup("menu").
+/// Menu of all commands with their keys, opened by ImGui::OpenPopup("menu").
 void menu(const LessonUi& ui);
 
-/// The list of keys and what the mouse does, over everything.
+/// The list of keys and mouse actions, over everything.
 void help_overlay(const Ui& ui, const panels::Box& window);
 
 }  // namespace jw::host

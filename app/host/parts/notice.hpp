@@ -7,22 +7,22 @@
 /// Words on sheets over the 3D picture.
 namespace jw::host {
 
-/// Text at the foot of the picture: what was done, or why it was not, for a few seconds; and the mistakes of
-/// a file until they are corrected.
+/// Text at the foot of the picture: for a few seconds a message about what was done, or why it was not; and
+/// the mistakes of a file until they are corrected.
 class Notice {
 public:
-    /// In place of what was said before, unless there is nothing to say.
+    /// Replaces the message, unless the new one is empty.
     void say(const std::string& message);
-    /// Takes the message away.
+    /// Removes the message.
     void hush() { text_.clear(); }
-    /// @return true if it went out
+    /// @return true if the message has disappeared
     bool advance(double seconds);
-    /// Mistakes in place of those before; empty: there are none any more.
+    /// Replaces the mistakes; empty: there are none any more.
     void blame(const std::string& mistakes) {
         mistakes_ = mistakes;
         are_of_file_ = true;
     }
-    /// Shows why an address leads nowhere, in the place of mistakes.
+    /// Shows why an address cannot be opened, in place of mistakes.
     void blame_address(const std::string& why);
 
     const std::string& text() const { return text_; }
@@ -30,8 +30,8 @@ public:
     double seconds_left() const;
     const std::string& mistakes() const { return mistakes_; }
 
-    /// At the foot of `scene`, over the widgets.
-    /// @param has_lesson  one is open, which was read before the mistakes were made
+    /// Draws at the foot of `scene`, over the widgets.
+    /// @param has_lesson  a lesson is open, which was read before the mistakes were made
     void draw(const Ui& ui, const panels::Box& scene, bool has_lesson) const;
 
 private:
@@ -41,7 +41,7 @@ private:
     bool are_of_file_ = true;
 };
 
-/// Draws the badge that says that the pose is not one of the lesson.
+/// Draws the badge that says that the pose is not that of the step.
 void draw_badge(const Ui& ui, const panels::Box& scene);
 
 }  // namespace jw::host

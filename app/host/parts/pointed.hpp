@@ -6,23 +6,23 @@
 #include "app/panels/parts/canvas.hpp"
 #include "app/session/try/session.hpp"
 
-/// Finds what the pointer is over and the tip beside it.
+/// Finds the object under the pointer, and the tip for it.
 namespace jw::host {
 
-/// In the panels; of a cell of the matrix, its row and its column.
+/// Object under the pointer in the panels; for a cell of the matrix, its row and its column.
 struct Pointed {
     Pointable row;
     Pointable column;
     Pointable other;
-    Pointable symbol;  ///< of a formula, beside what else it is
+    Pointable symbol;  ///< of a formula, in addition to the others
 
     Pointable first() const { return other ? other : (symbol ? symbol : (row ? row : column)); }
 };
 
 Pointed pointed_at(const std::vector<panels::HotSpot>& spots, panels::Point mouse);
 
-/// Lines with formulas between dollar signs; none where there is nothing to say.
-/// @param link  what the pointer is over outside of the matrix
+/// Lines of the tip, with formulas between dollar signs; none if there is no tip.
+/// @param link  object under the pointer outside of the matrix
 std::vector<std::string> tip_of(const Session& session, const Pointed& pointed, const Pointable& link);
 
 }  // namespace jw::host

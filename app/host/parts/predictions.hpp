@@ -13,20 +13,20 @@ namespace jw::host {
 
 class Predictions {
 public:
-    /// The keyboard goes to the field for the answer, if a question is asked here.
+    /// Gives the keyboard to the answer field, if a question is asked here.
     void focus() { wants_focus_ = true; }
-    /// Height that `draw` covers at the foot of `scene`; 0 where nothing is asked or answered.
+    /// Height that `draw` covers at the foot of `scene`; 0 if nothing is asked or answered.
     float height(const LessonUi& ui, const panels::Box& scene) const;
-    /// At the foot of `scene`: choices or a field at a question, what was said at its answer.
+    /// Draws at the foot of `scene`: at a question, choices or a field; at its answer, the given answer.
     void draw(const LessonUi& ui, const panels::Box& scene);
 
-    /// Where a thing is asked for, a click on one is the answer; a drag is none.
-    /// @param reachable  nothing lies over what is pointed at
+    /// If a question asks for an object, a click on an object is the answer; a drag is not.
+    /// @param reachable  nothing covers the object under the pointer
     void follow_mouse(const LessonUi& ui, const Pointed& pointed, bool reachable);
 
-    /// What was answered to a question of the open lesson; nullptr if nothing was.
+    /// The answer given to a question of the open lesson; nullptr if there is none.
     const GivenAnswer* given(int question) const;
-    /// Why the last attempt at the question that is asked was no answer; empty if it was, or there was none.
+    /// Why the last input at the current question is not an answer; empty if it is one, or without input.
     const std::string& objection() const { return objection_; }
 
 private:
@@ -37,13 +37,13 @@ private:
     void take(const LessonUi& ui, const Step& step, const std::string& text);
     void compare(const LessonUi& ui, const panels::Box& scene, const Step& step) const;
 
-    std::string lesson_;  ///< title of the lesson that they belong to
+    std::string lesson_;  ///< title of the lesson that the answers belong to
     std::map<int, GivenAnswer> given_;
-    std::array<char, 256> field_{};  ///< seven numbers with all digits fit
-    std::string objection_;          ///< why what was typed or clicked is no answer
+    std::array<char, 256> field_{};  ///< room for seven numbers with all digits
+    std::string objection_;          ///< why the last input is not an answer
     int asked_ = -1;                 ///< question of the step that was drawn last
     bool wants_focus_ = false;
-    std::array<Pointable, 4> pressed_{};  ///< what the mouse went down on
+    std::array<Pointable, 4> pressed_{};  ///< objects on which the button went down
 };
 
 }  // namespace jw::host

@@ -17,7 +17,7 @@ constexpr double kTurnPerKey = 0.15;  // [rad]
 constexpr double kCloserPerKey = 1.2;
 constexpr double kTurnSeconds = 0.3;
 
-/// The moving body that something drawn belongs to, -1 if it is fixed or none.
+/// The moving body that a drawn object belongs to; -1 if there is none or it is fixed.
 int body_of(const Session& session, const Pointable& link) {
     const Mechanism& mechanism = session.lesson().mechanism;
     const auto moves = [&](int body) { return !mechanism.bodies[static_cast<std::size_t>(body)].fixed; };
@@ -105,7 +105,7 @@ void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, bool re
         viewport.contains(static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)) &&
         !io.WantCaptureMouse;
     if (over && reachable && mode_ == Mode::idle) { point_at(ui); }
-    // two fingers shift and zoom at once
+    // two fingers can pan and zoom at the same time
     if (over && (mode_ == Mode::idle || mode_ == Mode::pan) && io.MouseWheel != 0.0F) {
         const double factor = std::pow(kCloserPerNotch, static_cast<double>(io.MouseWheel));
         zoom(
@@ -125,7 +125,7 @@ void SceneHand::handle(const LessonUi& ui, const render::Rect& viewport, bool re
     }
     const std::size_t bodies = ui.session.lesson().mechanism.bodies.size();
     if (mode_ == Mode::drag && static_cast<std::size_t>(body_) >= bodies) {
-        // the lesson was saved anew, or another one opened, without the body that is held
+        // the lesson was read again or replaced, and does not have the held body any more
         mode_ = Mode::idle;
         body_ = joint_ = -1;
         return;

@@ -10,35 +10,35 @@
 /// Mouse and keys on the 3D picture: turn, move, zoom, point at things and pull them.
 namespace jw::host {
 
-/// Number (see picture_id) of what is drawn nearest to a pixel; 0 for nothing.
+/// Number (see picture_id) of the object drawn nearest to a pixel; 0 for nothing.
 using Picker = std::function<int(float x, float y)>;
 
 class SceneHand {
 public:
     const render::Camera& camera() const { return camera_; }
-    /// True until the person turns the camera: it is the story's own.
+    /// True if the camera is the story's own: the user has not turned it.
     bool is_own() const { return own_; }
-    /// The camera, or where it is turning to.
+    /// The camera, or the one to which it is turning.
     const render::Camera& goal() const { return turned_ < 1.0 ? to_ : camera_; }
-    /// At once, as if the person had turned it there.
+    /// Sets the camera at once, as if the user had turned it there.
     void look_through(const render::Camera& camera);
 
-    /// The story's own view; at once, or turning there.
+    /// Shows the story's own view, at once or by turning there.
     void show(const render::Camera& camera, bool at_once);
-    /// The commands of keys: a standard view, parts of a turn and of the distance. Others do nothing.
+    /// Carries out commands of keys: standard views, turns by a small angle, zoom. Other commands do nothing.
     void carry_out(Command command, const render::Rect& viewport, const Session& session);
 
-    /// Without it nothing in 3D can be pointed at.
+    /// Sets the picker. Without it, objects in 3D cannot be pointed at.
     void set_picker(Picker picker) { pick_ = std::move(picker); }
     /// Handles the mouse in one frame.
-    /// @param reachable  nothing lies over the picture: what is drawn there can be pointed at
+    /// @param reachable  nothing covers the picture, so its objects can be pointed at
     void handle(const LessonUi& ui, const render::Rect& viewport, bool reachable);
-    /// Lets a turning camera go on. @return true while it turns
+    /// Continues the turn of the camera. @return true while it turns
     bool advance(double seconds);
     /// The view turns, or something is held.
     bool is_busy() const { return turned_ < 1.0 || (mode_ != Mode::idle && moved_); }
     bool is_dragging() const { return mode_ == Mode::drag; }
-    /// Holds nothing any more, wherever the mouse is.
+    /// Lets go of everything, wherever the mouse is.
     void let_go() { mode_ = Mode::idle; }
 
 private:
@@ -48,7 +48,7 @@ private:
     void turn(double dx, double dy);
     void zoom(double factor, const render::Rect& viewport, double x, double y, const Session& session);
     void point_at(const LessonUi& ui);
-    /// @param wanted  `drag` takes hold of a body, and turns the view where there is none
+    /// @param wanted  `drag` takes hold of a body, or turns the view if there is none
     void press(const LessonUi& ui, const render::Rect& viewport, Mode wanted);
     void move(const LessonUi& ui, const render::Rect& viewport);
     void release(const LessonUi& ui);
@@ -66,7 +66,7 @@ private:
     float y_ = 0.0F;
     bool moved_ = false;
     int body_ = -1;
-    int joint_ = -1;  ///< pressed upon: a click chooses it
+    int joint_ = -1;  ///< under the pressed button: a click selects it
     Vec3 point_local_ = Vec3::Zero();
 };
 

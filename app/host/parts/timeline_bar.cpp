@@ -22,8 +22,8 @@ using panels::Canvas;
 using panels::Point;
 namespace theme = panels::theme;
 
-/// Draws the mark of a step; shapes differ as well as colours: a square adds, a dot iterates, a ring is
-/// closed, × failed.
+/// Draws the mark of a step. The shapes differ as well as the colours: a square for an addition, a dot for an
+/// iteration, a ring for closed, × for failed.
 void draw_mark(const Canvas& canvas, Point at, Step::Kind kind, bool present) {
     const float size = canvas.px(present ? 9.0F : 6.0F);
     const render::Colour ink = present ? theme::kSubjectMark : theme::kSoft;
@@ -39,14 +39,14 @@ void draw_mark(const Canvas& canvas, Point at, Step::Kind kind, bool present) {
             canvas.line({at.x - half, at.y + half}, {at.x + half, at.y - half}, theme::kRedundant, thick);
             break;
         }
-        // no letters: marks stand close together
+        // marks without letters, because they are close together
         case Step::Kind::question: canvas.square(at, size, ink, false); break;
         case Step::Kind::answer: canvas.disc(at, 0.5F * size, ink); break;
         case Step::Kind::motion: break;
     }
 }
 
-/// Bodies and motion by a word, joints and drivers by their names.
+/// A word for bodies and motion, the name for joints and drivers.
 std::string shown_name(const Stretch& stretch) {
     if (stretch.kind == Step::Kind::motion) { return tr("motion"); }
     return stretch.kind == Step::Kind::bodies ? tr("bodies") : stretch.name;
@@ -68,7 +68,7 @@ void draw_stretch(
     }
     const float room = right - left - canvas.px(8.0F);
     const std::string name = panels::shortened_name(*small, shown_name(stretch), room);
-    // of a name for which there is no room at all a tip tells
+    // a name that does not fit at all is only in the tip
     if (canvas.text_width(small, name) <= room) {
         canvas.text(
             {left + canvas.px(5.0F), box.y + canvas.px(2.0F)}, small, here ? theme::kInk : theme::kSoft,
@@ -100,7 +100,7 @@ void draw_stretch(
     }
 }
 
-/// Click and drag anywhere on the line; the wheel steps.
+/// Handles clicks and drags on the line, and the wheel, which steps.
 void scrub(
     const LessonUi& ui, const Box& box, const std::vector<Stretch>& stretches, const TimelineScale& scale) {
     ImGui::SetCursorScreenPos({box.x, box.y});
@@ -131,7 +131,7 @@ void scrub(
 /// Height of the line in an upright window: names above marks.
 constexpr float kLineHeight = 40.0F;
 
-/// Width of the buttons at the right end, and a gap.
+/// Width of the buttons at the right end, with a gap.
 constexpr float kRightButtons = 178.0F;
 
 void right_buttons(const LessonUi& ui, const Box& box, float top) {
@@ -143,14 +143,13 @@ void right_buttons(const LessonUi& ui, const Box& box, float top) {
     command_button(ui, Command::help, "?", ui.px(26.0F));
 }
 
-/// Place of the buttons below the upper edge of the bar; those for fingers are as high as there is room in
-/// it.
+/// Distance of the buttons from the upper edge of the bar; high buttons for fingers are centred.
 float top_of_buttons(const Ui& ui, const Box& bar) {
     const float usual = ImGui::GetCursorPosY() + ui.px(4.0F);
     return std::round(std::min(usual, 0.5F * (bar.height - ImGui::GetFrameHeight())));
 }
 
-/// Steps of the lesson on a line to jump and scrub on.
+/// Draws the steps of the lesson on a line for jumping and scrubbing.
 void line_of_steps(const LessonUi& ui, const Box& line) {
     const std::vector<Stretch> stretches = stretches_of(ui.session.story());
     const TimelineScale scale(stretches, line.x, line.width);
@@ -172,7 +171,7 @@ UprightBar places_in(const Ui& ui, const Box& bar) {
     places.line = panels::cut_top(rest, ui.px(kLineHeight));
     panels::cut_top(rest, ui.px(4.0F));
     places.buttons = rest;
-    // the time until the next still, as a line below its button
+    // room for the line below the play button that shows the time until the next still
     places.buttons.height -= ui.px(4.0F);
     return places;
 }
@@ -186,8 +185,8 @@ void draw_bar(const Canvas& canvas, const Box& box) {
 
 TimelineScale::TimelineScale(const std::vector<Stretch>& stretches, float left, float width)
     : stretches_(&stretches) {
-    // a dot needs some room, a moment of the motion very little, and all of it no more than what came before,
-    // whose names would be cut
+    // a dot needs some room, a moment of the motion very little. The whole motion gets at most the room of
+    // all stretches before it, because their names would be cut otherwise
     double total = 0.0;
     std::vector<double> shares;
     for (const Stretch& s : stretches) {

@@ -6,8 +6,8 @@
 /// The bar at the bottom: play, step, speed, and the whole lesson as one line to jump and scrub on.
 namespace jw::host {
 
-/// Places of the stretches on a line. A motion may have hundreds of steps and a joint five, so a stretch gets
-/// room for its name and a share of the rest.
+/// Places of the stretches on a line. A motion may have hundreds of steps and a joint only five, so each
+/// stretch gets room for its name and a share of the rest.
 class TimelineScale {
 public:
     TimelineScale(const std::vector<Stretch>& stretches, float left, float width);
@@ -23,7 +23,7 @@ private:
 
 void timeline_bar(const LessonUi& ui, const panels::FrameLayout& layout);
 
-/// The same without the line, which a figure does not have: where the lesson waits meanwhile.
+/// The bar for a figure, without the line: it says at which step the lesson waits.
 void bar_of_figure(const LessonUi& ui, const panels::FrameLayout& layout);
 
 }  // namespace jw::host

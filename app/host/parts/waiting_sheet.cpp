@@ -28,7 +28,7 @@ bool waiting_sheet(const Ui& ui, const panels::Box& room, double part) {
         room.x + 0.5F * (room.width - width), room.y + 0.5F * (room.height - height), width, height};
     ImGui::SetNextWindowPos({sheet.x, sheet.y});
     ImGui::SetNextWindowSize({sheet.width, sheet.height});
-    // above the widgets of the lesson that is still shown, but a slider that is held stays held
+    // above the widgets of the lesson that is still shown; but a slider that is held must stay held
     if (!ImGui::IsAnyItemActive()) { ImGui::SetNextWindowFocus(); }
     ImGui::Begin(
         "waiting", nullptr,

@@ -4,11 +4,11 @@
 
 namespace jw::host {
 
-/// Words for what goes on meanwhile.
+/// Words that describe the computation.
 const char* words_of_waiting();
 
-/// A sheet in the middle of `room`: how much of a long story is told, and a button to give it up.
-/// @return true if that was pressed
+/// A sheet in the middle of `room`, with the progress of a long computation and a button to cancel it.
+/// @return true if the button was pressed
 bool waiting_sheet(const Ui& ui, const panels::Box& room, double part);
 
 }  // namespace jw::host

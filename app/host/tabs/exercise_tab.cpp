@@ -23,7 +23,7 @@ namespace theme = panels::theme;
 
 constexpr float kMark = 18.0F;  // room for the mark before a row
 
-/// Empty: new; half: tried; full: solved.
+/// Mark of an exercise: empty if new, half if tried, full if solved.
 void draw_mark(const Canvas& canvas, panels::Point at, const ExerciseRecord& record) {
     const float radius = canvas.px(5.0F);
     if (record.solved > 0) { return canvas.disc(at, radius, theme::kAccent); }
@@ -88,14 +88,14 @@ void ExerciseTab::row(const LessonUi& ui, const Practice& practice, int index) {
     panels::paragraph(canvas, {words.x, words.y + title, inner, height}, fonts.small, theme::kSoft, below);
 }
 
-/// A letter that numbers begin with goes into the field, and those after it; the number of a choice chooses
-/// it.
+/// A character that can begin a number goes into the field, and so do those after it. Where a choice is asked
+/// for, its number is handed in at once.
 bool ExerciseTab::act_on_letter(unsigned character, const Practice& practice, Requests& requests) {
     const Task* const task = practice.task();
     if (task == nullptr || !is_of_numbers(task->exercise().kind)) { return false; }
     constexpr std::u32string_view kFirstOfNumbers = U"0123456789-.[(";
     const auto letter = static_cast<char32_t>(character);
-    // the field has the keyboard a picture or two after it was asked for
+    // the field gets the keyboard one or two frames later; until then, all characters are for it
     if (typed_.empty() && kFirstOfNumbers.find(letter) == std::u32string_view::npos) { return false; }
     if (task->exercise().kind == ExerciseKind::choose && task->shown.size() < 10) {
         answer_ = static_cast<char>(letter);
@@ -111,7 +111,7 @@ bool ExerciseTab::act_on_letter(unsigned character, const Practice& practice, Re
 bool ExerciseTab::act(const InputEvent& event, const Practice& practice, Requests& requests) {
     if (event.kind == InputEvent::Kind::text) { return act_on_letter(event.character, practice, requests); }
     if (event.kind != InputEvent::Kind::key || !event.down) { return false; }
-    // keys of letters that go into the field
+    // these are the keys of letters that go into the field
     if (!typed_.empty()) { return true; }
     const bool in_list = practice.chosen() < 0;
     const auto move = [&](int by) {

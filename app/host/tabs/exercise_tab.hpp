@@ -10,30 +10,30 @@
 
 namespace jw::host {
 
-/// What the student does with a lesson that an exercise handed out.
+/// The student's work on a lesson that an exercise has handed out.
 struct ExerciseWork {
     std::filesystem::path file;            ///< the working copy; empty: there is none
-    std::vector<std::string> experiments;  ///< carried out so far, as after 'jointwise try --try'
+    std::vector<std::string> experiments;  ///< carried out so far, as for 'jointwise try --try'
 };
 
-/// "Exercises": those of the lesson, or the one that is being solved.
+/// The tab "Exercises": the exercises of the lesson, or the one that is being solved.
 class ExerciseTab {
 public:
     void draw(const LessonUi& ui, const panels::Box& box, const Practice& practice, const ExerciseWork& work);
-    /// Words of the tab in lines, for those who do not see it.
+    /// The tab as lines of text, for people who do not see it.
     std::string text(const Practice& practice, const ExerciseWork& work) const;
 
-    /// Keys while nobody types: they choose in the list, and lead into the field for the answer; what numbers
-    /// begin with begins the answer.
+    /// Handles keys while no field has the keyboard: they select in the list, and move to the answer field. A
+    /// character that can begin a number begins the answer.
     /// @return whether the event was for the exercises
     bool act(const InputEvent& event, const Practice& practice, Requests& requests);
 
-    /// Letters wait for the field to have the keyboard: for the next picture.
+    /// True if letters wait until the field has the keyboard, in one of the next frames.
     bool is_handing_over() const { return !typed_.empty(); }
 
-    /// Keeps what was typed for the exercise before, and goes on with what was typed for this one.
+    /// Keeps the answer typed for the previous exercise, and restores the one typed for this exercise.
     void follow(const Practice& practice);
-    /// The text in the field for the answer of the exercise begun.
+    /// The text in the answer field of the current exercise.
     const std::string& answer() const { return answer_; }
     void set_answer(std::string text) { answer_ = std::move(text); }
 
@@ -53,7 +53,7 @@ private:
     void hints(const LessonUi& ui, const Practice& practice);
     void solution(const LessonUi& ui, const Practice& practice);
 
-    /// What the student has been shown of the exercise begun: what is new comes into sight.
+    /// What the student has been shown of the current exercise. New parts are scrolled into view.
     struct Told {
         int verdicts = 0;
         int hints = 0;
@@ -64,18 +64,18 @@ private:
     void tell(const LessonUi& ui, const Practice& practice);
 
     Told told_;
-    bool wants_top_ = false;  ///< another exercise, or other numbers: from the beginning
-    int row_ = 0;             ///< chosen in the list
+    bool wants_top_ = false;  ///< scroll to the top: another exercise, or other numbers
+    int row_ = 0;             ///< selected in the list
     bool wants_focus_ = false;
-    std::u32string typed_;       ///< goes into the field once that has the keyboard
-    bool took_letters_ = false;  ///< in this frame: into `typed_`
-    bool has_caret_ = false;     ///< the field, where the letters go
-    bool has_keyboard_ = false;  ///< the field, in the frame before
-    bool wants_row_ = false;     ///< the chosen row comes into sight
+    std::u32string typed_;       ///< goes into the field when the field has the keyboard
+    bool took_letters_ = false;  ///< `typed_` grew in this frame
+    bool has_caret_ = false;     ///< the field's caret is where the letters go
+    bool has_keyboard_ = false;  ///< the field had it in the previous frame
+    bool wants_row_ = false;     ///< scroll to the selected row
     std::string answer_;
     std::string handed_in_;                      ///< the answer that was judged last
     std::string answers_;                        ///< key and variant that the answer belongs to
-    std::map<std::string, std::string> drafts_;  ///< answers that were begun, by key and variant
+    std::map<std::string, std::string> drafts_;  ///< unfinished answers, by key and variant
 };
 
 }  // namespace jw::host

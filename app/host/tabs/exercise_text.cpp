@@ -8,14 +8,14 @@
 #include "app/session/wording/text_width.hpp"
 #include "lessons/math/text_parts.hpp"
 
-/// The tab of exercises for those who do not see it: the words that are drawn, line by line.
+/// The tab of exercises for people who do not see it: the words that are drawn, line by line.
 namespace jw::host {
 
 namespace {
 
 constexpr int kWidth = 100;
 
-/// Text of an author, or of the program, formulas in Unicode.
+/// Text of an author or of the program, with formulas in Unicode.
 std::string told(const std::string& text) {
     std::string lines;
     std::string rest = math::plain_words(panels::typeset(panels::run_on(text)));
@@ -47,7 +47,7 @@ std::string list_text(const Practice& practice, int chosen) {
                 facts_of(*all[k].exercise, practice.progress().of(all[k].key)) + '\n';
     }
     text += as_it_stands(tr("Up and Down choose, Enter begins. The numbers are new each time."));
-    // a line of its own: where it alone changes, a reader of the screen says it alone
+    // on a line of its own: if only this line changes, a screen reader reads only this line
     const std::size_t row = std::min(static_cast<std::size_t>(chosen), all.size() - 1);
     return text + as_it_stands(tr("Chosen: {0}", number_and_title(row)));
 }
@@ -64,7 +64,7 @@ std::string question_text(const Task& task) {
     return text;
 }
 
-/// The scene as a lesson file, with what a figure cannot tell; it is long and comes last.
+/// The scene as a lesson file, with what a figure cannot show. It is long, so it comes last.
 std::string scene_text(const Task& task) {
     if (!hands_out_file(task.exercise()) || task.exercise().asked.empty()) { return {}; }
     return as_it_stands(tr("The scene as a lesson file")) + as_it_stands(handed_out(task));
@@ -76,7 +76,7 @@ std::string answer_text(const Task& task, const ExerciseWork& work, const std::s
         for (const std::string& action : work.experiments) { text += "- " + as_it_stands(action); }
         return work.experiments.empty() ? text + as_it_stands(tr("none so far")) : text;
     }
-    // as long as a file it would be read out anew with every letter
+    // an answer as long as a file would be read out again with every letter
     if (is_file(task.exercise().kind) || answer.empty()) { return text; }
     return text + as_it_stands(tr("In the field: {0}", answer));
 }
@@ -102,7 +102,7 @@ std::string verdict_text(const Practice& practice) {
         return practice.shows_solution() ? text : text + told(practice.task()->exercise().why);
     }
     for (const std::string& sentence : verdict->judged.feedback) { text += told(sentence); }
-    // where no mistake is known they are told already
+    // if no known mistake was found, the feedback already names the wrong entries
     return verdict->judged.title.empty() ? text : text + wrong_entries(*verdict);
 }
 

@@ -17,7 +17,7 @@ namespace {
 using panels::Canvas;
 namespace theme = panels::theme;
 
-// numbers of a student may have many digits
+// a student's numbers may have many digits
 constexpr int kEntryDigits = 6;
 constexpr std::size_t kLongestAnswer = 200000;
 
@@ -30,7 +30,7 @@ float widest_line(const panels::RichText& rich) {
     return width;
 }
 
-/// Draws at the cursor, which moves below.
+/// Draws at the cursor, and moves the cursor below.
 void draw_here(
     const Ui& ui, const panels::RichText& rich, const ImFont* font, const render::Colour& colour,
     float width) {
@@ -45,7 +45,7 @@ struct Field {
     Caret caret;
 };
 
-/// The text of ImGui's field grows as it is typed.
+/// Callback of ImGui's field: lets the text grow as it is typed, and places the caret.
 int follow_field(ImGuiInputTextCallbackData* data) {
     const Field& field = *static_cast<Field*>(data->UserData);
     if (data->EventFlag == ImGuiInputTextFlags_CallbackResize) {
@@ -167,7 +167,7 @@ bool text_field(
         entered = ImGui::InputTextMultiline(
             id, text.data(), text.capacity() + 1, {room_here(ui), height}, flags, follow_field, &field);
     }
-    // ImGui takes back what was typed
+    // on Escape ImGui undoes the typing: keep the text
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) { text = before; }
     if (text.size() > kLongestAnswer) { text.resize(kLongestAnswer); }
     return entered;

@@ -2,7 +2,7 @@
 
 #include "app/host/ui/ui.hpp"
 
-/// "Try it": everything of the lesson that can be changed, and what that does to rank and freedoms.
+/// The tab "Try it": everything in the lesson that can be changed, and the effect on rank and freedoms.
 namespace jw::host {
 
 void experiment_tab(const LessonUi& ui, const panels::Box& box);

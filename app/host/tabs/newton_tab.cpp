@@ -20,11 +20,11 @@ using panels::Box;
 // more ghosts than this hide each other
 constexpr std::size_t kMostGhosts = 12;
 constexpr float kLeastHeight = 280.0F;  // of the comparison
-// all ways in a frame take 0.1 s up to here; of more, one a frame
+// up to this size all runs are done in one frame, in 0.1 s; above it, one run per frame
 constexpr std::size_t kMostBodiesAtOnce = 50;
 
-/// The step from which the joint or driver shown was closed; where none is, of the one that tells the most.
-/// -1 if nothing is added.
+/// The step from which the current joint or driver was closed. If there is no current one: the step of the
+/// most instructive closing, -1 if nothing is added.
 int start_of_solve(const Session& session) {
     const std::vector<Step>& steps = session.story().steps();
     int k = session.index();
@@ -36,7 +36,7 @@ int start_of_solve(const Session& session) {
     return steps[static_cast<std::size_t>(k)].kind == Step::Kind::equations ? k : -1;
 }
 
-/// Width of a list at the cursor: at most what is left of the line.
+/// Width of a list at the cursor: at most the rest of the line.
 float room_for_choice(const Ui& ui) {
     return std::clamp(ImGui::GetContentRegionAvail().x, 1.0F, ui.px(210.0F));
 }
@@ -134,7 +134,7 @@ void NewtonTab::draw(const LessonUi& ui, const Box& box) {
             tr("It is already closed at the start estimate: there is nothing to iterate. Pull a body away at "
                "the step before and come back."));
     }
-    // in a low window it is scrolled to
+    // in a low window the column is scrolled
     const float height = std::max(ui.px(kLeastHeight), box.bottom() - top - ui.px(10.0F));
     const Box place{
         ImGui::GetCursorScreenPos().x + ui.px(2.0F), top, ImGui::GetContentRegionAvail().x - ui.px(6.0F),

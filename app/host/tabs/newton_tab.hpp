@@ -10,18 +10,18 @@
 
 namespace jw::host {
 
-/// "Newton": the same start, several methods or coordinates side by side; the iterates of one as ghosts.
+/// The tab "Newton": several methods or coordinates from the same start; the iterates of one as ghosts.
 class NewtonTab {
 public:
     void draw(const LessonUi& ui, const panels::Box& box);
 
-    /// Iterates that the picture shows as ghosts; empty while this tab is not shown, and where they are of
-    /// another telling than `told`: its bodies need not be the same.
+    /// Iterates that the picture shows as ghosts. Empty while this tab is not shown, and if they do not
+    /// belong to the telling `told`, which may have other bodies.
     std::span<const State> ghosts(std::uint64_t told) const {
         return told == key_.told ? std::span<const State>(ghosts_) : std::span<const State>();
     }
     void forget_ghosts() { ghosts_.clear(); }
-    /// Some ways are still to be run, one a frame.
+    /// True if runs remain to be done, one per frame.
     bool is_comparing() const { return key_.start >= 0 && runs_.traces.size() < ways_of(key_.plan); }
     /// Grows with every change of ghosts().
     std::uint64_t version() const { return version_; }

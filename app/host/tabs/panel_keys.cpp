@@ -30,7 +30,7 @@ bool act_in_panel(const InputEvent& event, UiState& state) {
         if (!ImGui::GetIO().WantTextInput) { use_panel_keys(state, false); }
         return true;
     }
-    // ImGui moves among its widgets
+    // with these keys ImGui moves among its widgets
     constexpr std::array moving{Key::left, Key::right, Key::up, Key::down, Key::space, Key::enter, Key::tab};
     return std::ranges::find(moving, event.key) != moving.end();
 }

@@ -4,16 +4,16 @@
 
 #include "app/host/ui/ui.hpp"
 
-/// The keyboard among the widgets of the panel, in place of the commands of the arrows and a few others.
+/// Keyboard operation of the panel's widgets, in place of the commands of the arrows and a few other keys.
 namespace jw::host {
 
-/// Gives the keyboard to the widgets of the tab, or takes it away; the step has none, so the first that has
-/// is shown.
-/// @return what somebody at the keyboard then has to know, if anything
+/// Gives the keyboard to the widgets of the tab, or takes it away. The tab of the step has no widgets, so
+/// the next tab is shown instead.
+/// @return message that explains the keys; empty if there is nothing to explain
 std::string use_panel_keys(UiState& state, bool on);
 
 /// Handles an event while the widgets have the keyboard.
-/// @return whether it was for them
+/// @return whether the event was for them
 bool act_in_panel(const InputEvent& event, UiState& state);
 
 }  // namespace jw::host

@@ -10,13 +10,13 @@
 
 namespace jw::host {
 
-/// "Plots": series of the story over time or over iterations, the cursor where the timeline is.
+/// The tab "Plots": series of the story over time or over iterations, with a cursor at the current step.
 class PlotTab {
 public:
     void draw(const LessonUi& ui, const panels::Box& box);
     /// The shown curves as CSV.
     std::string csv(const Session& session);
-    /// "quantities": for the name of a file.
+    /// Part of a file name: "quantities".
     const char* name() const;
 
 private:

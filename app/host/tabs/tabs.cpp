@@ -32,7 +32,7 @@ Command command_of(Tab tab) {
     return Command::tab_exercises;
 }
 
-/// Places of the tabs side by side, as wide as their words need.
+/// Places of the tabs side by side, each as wide as its words need.
 std::vector<Box> places_of_tabs(const panels::Canvas& canvas, const Box& strip, const ImFont* font) {
     std::vector<float> widths;
     float all = 0.0F;
@@ -50,7 +50,7 @@ std::vector<Box> places_of_tabs(const panels::Canvas& canvas, const Box& strip, 
     return places;
 }
 
-/// The largest letters in which all tabs fit.
+/// The largest font in which all tabs fit.
 const ImFont* font_of_tabs(const panels::Canvas& canvas, const Box& strip) {
     float width = 0.0F;
     for (const EnumWord<Tab>& tab : kTabs) {

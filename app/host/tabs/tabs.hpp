@@ -9,7 +9,7 @@
 /// Column beside the picture: the panels of the step, or a tab to experiment and compare.
 namespace jw::host {
 
-/// ImGui's name of the part of the window that holds its widgets.
+/// ImGui's name of the area that holds the widgets of a tab.
 const char* area_of(Tab tab);
 
 /// State that the tabs keep between frames.

@@ -5,8 +5,8 @@
 
 #include "app/host/ui/input.hpp"
 
-/// Commands of keys, buttons and menus. They stand in one table, so the menu, the list of keys and the effect
-/// of a key cannot differ.
+/// Commands of keys, buttons and menus. They are in one table, so that the menu, the list of keys and the
+/// effect of a key agree.
 namespace jw::host {
 
 enum class Command {
@@ -22,7 +22,7 @@ enum class Command {
     answer,
     faster,
     slower,
-    // what stands beside the picture
+    // beside the picture
     tab_step,
     tab_experiments,
     tab_plot,
@@ -78,7 +78,7 @@ enum class Command {
     copy_matrix_csv,
     save_csv,
     help,
-    quit,  // stays the last one: the table is checked by it
+    quit,  // must stay last: the check of the table uses it
 };
 
 /// In the order of the menu and of the list of keys.
@@ -87,10 +87,10 @@ enum class Group { timeline, panels, experiments, exercises, files, picture };
 struct CommandInfo {
     Command command;
     Group group;
-    const char* text;      ///< in menus and the list of keys; shown by tr, as the keys
-    const char* keys;      ///< as people read them: "Right, n"
+    const char* text;      ///< in menus and the list of keys; translated when shown, as are the keys
+    const char* keys;      ///< in words: "Right, n"
     Key key = Key::none;   ///< without Ctrl
-    char character = 0;    ///< typed, whatever the layout of the keyboard
+    char character = 0;    ///< typed, in any keyboard layout
     Key ctrl = Key::none;  ///< with Ctrl
     bool shift = false;    ///< of `key`
 };

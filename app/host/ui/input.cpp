@@ -28,9 +28,9 @@ std::vector<InputEvent> InputQueue::take() {
         const InputEvent& event = waiting_[end];
         const bool change = event.kind == InputEvent::Kind::button || event.kind == InputEvent::Kind::key;
         if (change && changed) { break; }
-        // the pointer must have arrived before the button goes down, and stay until it has
+        // the pointer must be in place before the button goes down, and stay there until it is down
         if (changed && event.kind == InputEvent::Kind::pointer) { break; }
-        // and what is held must have followed before it is let go
+        // a held object must follow the pointer before it is released
         if (moved && event.kind == InputEvent::Kind::button && !event.down) { break; }
         moved = moved || event.kind == InputEvent::Kind::pointer;
         changed = changed || change;

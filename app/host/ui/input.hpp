@@ -5,13 +5,13 @@
 
 struct ImGuiIO;
 
-/// Mouse and keyboard events as values; a window makes them, and so do tests.
+/// Mouse and keyboard events as values, made by a window or by tests.
 namespace jw::host {
 
-/// Way of the pointer [pixels] with a button held that is still a click: more is a drag.
+/// Longest way of the pointer [pixels] between press and release of a click; a longer one is a drag.
 inline constexpr float kLongestClick = 3.0F;
 
-/// Number of a button that no mouse has: it turns the view whatever is below, as a finger does.
+/// Number of a button that no mouse has. It turns the view, whatever is below the pointer, as a finger does.
 inline constexpr int kTurningButton = 3;
 
 enum class Key {
@@ -51,7 +51,7 @@ struct InputEvent {
     enum class Kind {
         pointer,  ///< x, y: pixels of the framebuffer
         button,   ///< number 0 left, 1 right, 2 middle, kTurningButton; down
-        wheel,    ///< y: notches, positive away from the person
+        wheel,    ///< y: notches, positive away from the user
         key,      ///< key, down
         text,     ///< character: a Unicode code point that was typed
         leave,    ///< the pointer is no longer over the window, or the window lost the keyboard
@@ -73,20 +73,20 @@ struct InputEvent {
 };
 
 /// Events that wait for their frame. ImGui looks at buttons and keys once a frame: a press and its release
-/// must not fall into the same one, or nobody would see them.
+/// must not be in the same frame, or ImGui would miss both.
 class InputQueue {
 public:
     void push(const InputEvent& event) { waiting_.push_back(event); }
     bool empty() const { return waiting_.empty(); }
-    /// The events of one frame: up to the second change of a button or key, and not both a move and the
-    /// release at its end.
+    /// The events of one frame: up to the second change of a button or key, and never both a move and the
+    /// release that ends it.
     std::vector<InputEvent> take();
 
 private:
     std::vector<InputEvent> waiting_;
 };
 
-/// Tells ImGui how our keys are numbered; once per context.
+/// Tells ImGui the numbers of the keys; call it once per context.
 void map_keys(ImGuiIO& io);
 /// Passes an event on to ImGui.
 void feed(ImGuiIO& io, const InputEvent& event);

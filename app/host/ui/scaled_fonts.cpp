@@ -10,7 +10,7 @@ namespace jw::host {
 
 namespace {
 
-/// Eighths: a window that is being resized does not build fonts for every pixel.
+/// Rounds down to eighths, so that resizing a window does not load fonts for every pixel.
 float in_eighths(float scale) {
     return std::max(0.5F, std::floor(std::clamp(scale, 0.5F, 3.0F) * 8.0F + 0.01F) / 8.0F);
 }
@@ -28,7 +28,7 @@ bool ScaledFonts::fit(float scale) const {
 }
 
 std::string ScaledFonts::load(float scale, render::AtlasSize atlas) {
-    lacks_characters_ = false;  // what cannot be loaded now is not tried again in every frame
+    lacks_characters_ = false;  // a failure is not tried again in every frame
     try {
         fonts_ = loader_(in_eighths(scale), std::u32string(needed_.begin(), needed_.end()), atlas);
     } catch (const std::runtime_error& error) {

@@ -18,7 +18,7 @@ constexpr float kBarWidth = 6.0F;
 constexpr float kLeastThumb = 24.0F;
 constexpr float kNotch = 54.0F;  // three lines
 
-/// The bar at the right edge, and the part of it that stands for what is seen.
+/// The scroll bar at the right edge, and the part of it that shows the visible range.
 struct Bar {
     Box track;
     Box thumb;

@@ -6,9 +6,9 @@
 
 namespace jw::host {
 
-/// Draws into a part of the window what may be higher than it: then the wheel over it, its visible bar and
-/// the commands of the panel move it.
-/// @param height  of what is drawn; `draw` gets a box of that height
+/// Draws content that may be higher than its part of the window. It is then scrolled by the wheel, the scroll
+/// bar and the commands of the panel.
+/// @param height  of the content; `draw` gets a box of that height
 void scrolled(
     const Ui& ui, const panels::Box& box, float height, Scroll& scroll,
     const std::function<void(const panels::Canvas&, const panels::Box&)>& draw);

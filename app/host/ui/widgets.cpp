@@ -54,7 +54,7 @@ void set_style(ImGuiStyle& style, float scale, bool dark, bool for_fingers) {
     style.ScrollbarRounding = 4.0F * scale;
     style.WindowBorderSize = 0.0F;
     style.FrameBorderSize = 1.0F;
-    style.AntiAliasedLinesUseTex = false;  // our atlas has no baked lines
+    style.AntiAliasedLinesUseTex = false;  // the font atlas has no baked lines
     const render::Tone tone = dark ? render::Tone::dark : render::Tone::light;
     const auto set = [&](ImGuiCol which, const render::Colour& colour) {
         style.Colors[which] = vec(render::toned(colour, tone));
@@ -75,7 +75,7 @@ void set_style(ImGuiStyle& style, float scale, bool dark, bool for_fingers) {
     set(ImGuiCol_HeaderActive, theme::kSubject);
     set(ImGuiCol_CheckMark, theme::kAccent);
     set(ImGuiCol_SliderGrab,
-        render::mix(theme::kAccent, theme::kWhite, 0.6F));  // a number is read through it
+        render::mix(theme::kAccent, theme::kWhite, 0.6F));  // light, because the number is drawn over it
     set(ImGuiCol_SliderGrabActive, theme::kSubjectMark);
     set(ImGuiCol_ScrollbarBg, theme::kPaper);
     set(ImGuiCol_ScrollbarGrab, theme::kLine);
@@ -109,7 +109,7 @@ void tip_of_item(const std::string& text) {
     if (!ImGui::IsItemHovered()) { return; }
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::BeginTooltip();
-    // from the left edge of the tip
+    // measured from the left edge of the tip
     ImGui::PushTextWrapPos(ImGui::GetIO().DisplaySize.x - 2.0F * style.WindowPadding.x);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();

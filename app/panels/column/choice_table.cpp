@@ -13,7 +13,7 @@ namespace jw::panels {
 namespace {
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
-// rounding of a component that is zero in exact numbers makes its reciprocal about this
+// about the reciprocal of a component that is zero except for rounding
 constexpr double kInfinite = 1e12;
 
 /// "|s_x| ▬▬▬▬── 0.816"
@@ -26,7 +26,7 @@ void draw_size(const Canvas& canvas, const Box& cell, int component, double size
 
     const std::string number = fixed_text(size, 3);
     const float left = cell.x + canvas.px(34.0F);
-    // large text in a narrow column leaves a short bar
+    // with large text in a narrow column, the bar is short
     const float room = cell.right() - left - canvas.text_width(small, number) - canvas.px(12.0F);
     const float width = std::clamp(room, 0.0F, canvas.px(58.0F));
     const float height = canvas.px(9.0F);

@@ -21,7 +21,7 @@ namespace jw::panels {
 namespace {
 
 Block matrix_block(const Canvas& canvas, const View& view) {
-    // a huge matrix is a pattern of dots, and no reason to give up what stands beside it
+    // a huge matrix is a pattern of dots: it must not displace other panels
     const auto height = [&](float cell) {
         return std::min(matrix_panel_height(canvas, view.matrix, cell), canvas.px(260.0F));
     };
@@ -36,7 +36,7 @@ Block matrix_block(const Canvas& canvas, const View& view) {
     return block;
 }
 
-/// Curves below a heading, in all the height that is given.
+/// Curves below a heading, which fill the given height.
 Block plot_block(
     const Canvas& canvas, float wish, const char* title, const char* aside,
     std::function<void(const Canvas&, const Box&)> draw) {
@@ -68,7 +68,7 @@ Block equations_block(const View& view) {
     }};
 }
 
-/// Where a row was asked for, which rows are kept is the answer.
+/// If the question asked for a row, the equations, which show the rows that are kept, are the answer.
 Block row_answer_block(const View& view) {
     const bool of_rows = view.question && view.question->kind == QuestionView::Kind::thing &&
                          view.question->thing == Thing::Kind::row;
@@ -85,7 +85,7 @@ Block values_block(const View& view) {
     }};
 }
 
-/// While everything moves: the equations among which there is a choice, or all if there is none.
+/// During the motion: the equations among which there is a choice, or all if there is none.
 Block choices_block(const View& view) {
     return {[&view](const Canvas& c, const Box& box, Density density) {
         std::vector<EquationGroup> shown;
@@ -163,7 +163,7 @@ Block bodies_block(const View& view) {
     }};
 }
 
-/// Heights at one density; what fills gets its least, what is given up nothing.
+/// Heights at one density. Blocks that fill get their least height; blocks that are given up get none.
 std::vector<float> heights_at(
     const Canvas& canvas, const Box& box, const std::vector<Block>& blocks, Density density, int given_up) {
     std::vector<float> heights;
@@ -185,7 +185,7 @@ float total_of(const std::vector<float>& heights, float gap) {
     return total;
 }
 
-/// Takes the place of the last panels where nothing more can be given up; the first that shows something
+/// Leaves out the last panels when no more blocks can be given up; the first panel that shows something
 /// stays.
 void leave_out_last(std::vector<float>& heights, float gap, float room) {
     const auto shows = [](float height) { return height > 0.0F; };
@@ -195,7 +195,7 @@ void leave_out_last(std::vector<float>& heights, float gap, float room) {
     }
 }
 
-/// Gives what is left to the blocks that fill, the first one first.
+/// Distributes the height that is left to the blocks that fill, the first one first.
 void share_out(
     std::vector<float>& heights, const std::vector<Block>& blocks, float Block::*goal, float& left) {
     for (std::size_t k = 0; k < blocks.size() && left > 0.0F; ++k) {
@@ -281,13 +281,13 @@ float column_height(const Canvas& canvas, const Box& box, const View& view) {
         const float gap = canvas.px(theme::kGap);
         return std::ceil(total_of(heights_at(canvas, inner, blocks, density, given_up), gap));
     };
-    // what is shown only if there is plenty of room is no reason to scroll
+    // panels that are shown only if there is plenty of room are not a reason to scroll
     if (needed(Density::tight, 1) <= inner.height) { return box.height; }
     return needed(Density::roomy, 0) + 2.0F * canvas.px(14.0F);
 }
 
 void draw_column(const Canvas& canvas, const Box& box, const View& view) {
-    // between picture and column; over the whole width there is nothing beside it
+    // line between picture and column, unless the column has the whole width
     if (box.x > 0.0F) {
         canvas.fill({box.x, box.y, std::max(1.0F, canvas.px(1.0F)), box.height}, theme::kLine);
     }

@@ -22,11 +22,11 @@ namespace {
 constexpr double kAxisLength = 1.22;  // in radii
 constexpr double kLetterAt = 1.36;    // in radii
 constexpr float kRoomAround = 1.46F;  // in radii, from the centre to the edge of the box
-constexpr float kWide = 1.6F;         // width over height of a box that has words beside the sphere
-constexpr float kMostWords = 0.45F;   // of the height of a box that has them below it
-constexpr double kNearRim = 0.3;      // names on the surface stay off the rim, where it is seen edge-on
+constexpr float kWide = 1.6F;         // width over height of a box with text beside the sphere
+constexpr float kMostWords = 0.45F;   // of the height of a box with text below the sphere
+constexpr double kNearRim = 0.3;      // names keep off the rim, where the surface is seen edge-on
 
-/// Texts that are there already; another one must keep clear of them and within `bounds`.
+/// Texts that are already placed; a new one must not overlap them, and must stay within `bounds`.
 class Labels {
 public:
     Labels(const Canvas& canvas, const Box& bounds) : canvas_(canvas), bounds_(bounds) {}
@@ -80,7 +80,7 @@ void draw_lines(const Canvas& canvas, const SphereView& view, const std::vector<
     }
 }
 
-/// On each line where it is seen best and nothing else stands.
+/// Writes the name of each line where the line is seen best and the place is free.
 void name_lines(const SphereView& view, const std::vector<SphereLine>& lines, Labels& labels) {
     for (const SphereLine& line : lines) {
         if (line.label.empty()) { continue; }
@@ -88,7 +88,7 @@ void name_lines(const SphereView& view, const std::vector<SphereLine>& lines, La
         for (const Vec3& d : line.points) {
             if (d.dot(view.towards) > kNearRim) { places.push_back(d); }
         }
-        // names of neighbouring contours one beside the other, in a row towards the lower right
+        // names of neighbouring contours are side by side, in a row towards the lower right
         const Vec3 aside = (view.towards + 0.45 * view.right - 0.35 * view.up).normalized();
         std::ranges::sort(places, std::greater<>(), [&](const Vec3& d) { return d.dot(aside); });
         const Colour ink = line.kind == SphereLine::Kind::lost ? theme::kRedundant : theme::kInk;
@@ -131,7 +131,7 @@ void draw_letter(const Canvas& canvas, Point at, Colour colour, const std::strin
     labels.keep_clear({at.x - 0.5F * line, at.y - 0.5F * line, line, line});
 }
 
-/// Axes that point away are drawn before the sphere, which hides what is behind it.
+/// Draws the axes that point away. It is called before the sphere is drawn, which hides parts of them.
 void draw_axes_behind(const Canvas& canvas, const SphereView& view, Labels& labels) {
     for (int k = 0; k < 3; ++k) {
         const Vec3 d = Vec3::Unit(k);
@@ -147,9 +147,9 @@ void draw_axes_behind(const Canvas& canvas, const SphereView& view, Labels& labe
     }
 }
 
-constexpr float kClearOfPresent = 9.0F;  // the present direction may lie on the foot of an axis
+constexpr float kClearOfPresent = 9.0F;  // the current direction may be at the foot of an axis
 
-/// Axes that point at the eye, and the other ends of those that do not.
+/// Draws the axes that point towards the eye, and the other ends of those that do not.
 void draw_axes_before(const Canvas& canvas, const SphereView& view, Labels& labels) {
     const float line = canvas.line_height(canvas.fonts().bold);
     for (int k = 0; k < 3; ++k) {
@@ -167,7 +167,7 @@ void draw_axes_before(const Canvas& canvas, const SphereView& view, Labels& labe
         const Point tip = view.pixel(d, kAxisLength);
         canvas.line(foot, tip, colour, std::max(1.0F, canvas.px(2.0F)));
         draw_arrow_head(canvas, tip, foot, colour);
-        // an axis that points at the eye has its letter beside its foot
+        // the letter of an axis that points at the eye is beside the foot of the axis
         const Point at = view.pixel(d, kLetterAt);
         const bool end_on = std::hypot(at.x - view.centre.x, at.y - view.centre.y) < line;
         draw_letter(canvas, end_on ? Point{at.x + line, at.y - line} : at, colour, axis_name(k), labels);
@@ -183,7 +183,7 @@ void draw_trail(const Canvas& canvas, const SphereView& view, const std::vector<
         if (front) {
             canvas.line(a, b, theme::kSubjectMark, width);
         } else if (k % 4 < 2) {
-            // behind the sphere: pale and broken
+            // behind the sphere: pale and dashed
             canvas.line(a, b, render::with_alpha(theme::kSubjectMark, 0.55F), std::max(1.0F, 0.5F * width));
         }
     }
@@ -199,7 +199,7 @@ int dropped_now(const DirectionSphere& sphere) {
 
 double quality_now(const DirectionSphere& sphere) { return std::abs((*sphere.axis)(dropped_now(sphere))); }
 
-/// The present axis with its value; hollow where it points away from the eye.
+/// Draws the current axis with its value; hollow if it points away from the eye.
 void draw_present(
     const Canvas& canvas, const SphereView& view, const DirectionSphere& sphere, Labels& labels) {
     if (!sphere.axis) { return; }
@@ -219,7 +219,7 @@ void draw_present(
     const float line = canvas.line_height(bold);
     const float gap = canvas.px(5.0F);
     const float width = name.width + gap + canvas.text_width(bold, value);
-    // away from the middle, where there is less to hide; letters of axes stay in sight
+    // outwards, where the text hides less; letters of axes stay visible
     const float beside = radius + gap;
     const float outer = at.x < view.centre.x ? at.x - beside - width - 2.0F * gap : at.x + beside;
     const float inner = at.x < view.centre.x ? at.x + beside : at.x - beside - width - 2.0F * gap;
@@ -263,8 +263,8 @@ void draw_scale(const Canvas& canvas, const Box& box) {
     }
 }
 
-/// The scale and the sentences, beside the sphere or below it; nothing in a small box.
-/// @return what is left for the sphere
+/// Draws the scale and the sentences, beside the sphere or below it; nothing in a small box.
+/// @return the part of the box that is left for the sphere
 Box draw_words(const Canvas& canvas, const Box& box, const DirectionSphere& sphere) {
     const ImFont* const small = canvas.fonts().small;
     const std::string words = sphere_words(sphere);
@@ -336,7 +336,7 @@ std::string sphere_words(const DirectionSphere& sphere) {
     if (!sphere.axis) { return words; }
     const double quality = quality_now(sphere);
     const std::string name = axis_name(dropped_now(sphere));
-    // a unit vector has no component that is smaller but not zero to its rounding
+    // in a unit vector, a smaller component is zero except for rounding
     const std::string condition = quality > 1e-15 ? number_text(1.0 / quality, 3) : "∞";
     words = followed(
         words, tr("Now sᵢ = {0}, {1} is left out: value {2}, condition {3}.", vector_text(*sphere.axis, 2),

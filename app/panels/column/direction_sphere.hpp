@@ -8,26 +8,26 @@
 #include "core/numerics/linear.hpp"
 #include "render/camera.hpp"
 
-/// Sphere of all directions of the axis s_i, coloured by the smaller singular value of the two rows of p1 or
-/// p2 in use: it shows which pair is good for which direction.
+/// Sphere of all directions of the axis s_i. The colour is the smaller singular value of the two rows of p1
+/// or p2 in use: it shows which pair is good for which direction.
 ///
-/// With s_i unit and everything assembled, the rows that are left when component k is dropped have singular
-/// values 1 and |s_k| (core/equations/independent_rows.hpp).
+/// If s_i is a unit vector and everything is assembled, the rows that remain when component k is dropped have
+/// the singular values 1 and |s_k| (core/equations/independent_rows.hpp).
 namespace jw::panels {
 
 enum class PairInUse { rule, drop_x, drop_y, drop_z };
 
 struct DirectionSphere {
     PairInUse pair = PairInUse::rule;
-    std::optional<Vec3> axis;  ///< where s_i points now, global, unit
+    std::optional<Vec3> axis;  ///< current direction of s_i, global, unit
     int dropped = -1;          ///< what the rule drops now (it may keep an earlier choice); -1: the largest
-    std::vector<Vec3> trail;   ///< where it has pointed, oldest first, unit
+    std::vector<Vec3> trail;   ///< earlier directions of s_i, oldest first, unit
 };
 
 /// Smallest singular value of the pair in use for the direction `s_i`, unit: 0 to 1.
 double pair_quality(PairInUse pair, const Vec3& s_i);
 
-/// The sphere as it is seen: parallel rays along the camera's view.
+/// The sphere in a parallel projection along the camera's view.
 struct SphereView {
     Point centre;
     float radius = 1.0F;
@@ -38,18 +38,18 @@ struct SphereView {
     /// Pixel of the point at `size` radii in the direction `d`.
     Point pixel(const Vec3& d, double size = 1.0) const;
     bool faces(const Vec3& d) const { return d.dot(towards) >= 0.0; }
-    /// The direction under a pixel, on the side that is seen; beyond the rim the nearest one on it. Empty
-    /// farther than half a radius from the sphere.
+    /// The direction under a pixel, on the visible side; beyond the rim, the nearest direction on the rim.
+    /// Empty if the pixel is farther than half a radius from the sphere.
     std::optional<Vec3> direction(Point pixel) const;
 };
 
-/// Draws the sphere, its scale and what it says about the present axis.
+/// Draws the sphere, its scale, and the sentences about the current axis.
 /// @param camera of the 3D picture, so that the sphere turns with it
-/// @return for the mouse
+/// @return the view, to handle the mouse
 SphereView direction_sphere(
     const Canvas& canvas, const Box& box, const DirectionSphere& sphere, const render::CameraAxes& camera);
 
-/// The sentences below it.
+/// The sentences below the sphere.
 std::string sphere_words(const DirectionSphere& sphere);
 
 }  // namespace jw::panels

@@ -5,7 +5,7 @@
 
 namespace jw::panels {
 
-/// The equations of motion of slide 24 with their numbers: M and Q body by body, λ joint by joint, energies
+/// The equations of motion of slide 24 with their numbers: M and Q of each body, λ of each joint, energies
 /// and momenta.
 /// @return height taken
 float dynamics_panel(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, Density density);

@@ -6,7 +6,8 @@
 
 namespace jw::panels {
 
-/// Why it went no further: joint, row, residual, cause and remedy, in a box of its own.
+/// Why a joint cannot be closed, or why the motion ends: joint, row, residual, cause and remedy, in a box of
+/// its own.
 /// @return height taken; 0 if nothing failed
 float failure_panel(
     const Canvas& canvas, const Box& box, const std::string& title, const std::string& failure,

@@ -14,8 +14,8 @@ namespace {
 // size of cells, at a height of 720 pixels
 constexpr float kHighest = 20.0F;
 constexpr float kWidest = 46.0F;
-constexpr float kEven = 4.0F;      ///< from here on a pixel more or less per cell would be seen
-constexpr float kTextRow = 13.0F;  ///< a row as high as this has room for its name
+constexpr float kEven = 4.0F;      ///< from this size on, a difference of one pixel per cell would be visible
+constexpr float kTextRow = 13.0F;  ///< a row of this height has room for its name
 
 constexpr float kWidestOwner = 84.0F;
 
@@ -46,7 +46,7 @@ float widest(const Canvas& canvas, const std::vector<Span>& spans) {
 
 float label_line(const Canvas& canvas) { return canvas.line_height(canvas.fonts().small); }
 
-/// Names of bodies and symbols, above the cells.
+/// Height of the names of bodies and symbols, above the cells.
 float header_height(const Canvas& canvas) { return 2.0F * label_line(canvas) + canvas.px(2.0F); }
 
 std::string kind_of(const std::string& symbol) {
@@ -62,10 +62,10 @@ bool every_symbol_fits(const Canvas& canvas, const MatrixView& matrix, float cel
     });
 }
 
-/// Whole pixels, so that every cell is as large as the next, unless they are tiny.
+/// Whole pixels, so that all cells are equally large, unless they are tiny.
 float even(float size) { return size >= kEven ? std::floor(size) : std::max(size, 0.0F); }
 
-/// Divides the width: labels, cells, marks.
+/// Divides the width into labels, cells and marks.
 void lay_out_columns(const Canvas& canvas, const MatrixView& matrix, const Box& at, MatrixLayout& layout) {
     const float gap = canvas.px(6.0F);
     const float owners = std::min(canvas.px(kWidestOwner), widest(canvas, row_owners(matrix)));
@@ -133,14 +133,14 @@ MatrixLayout layout_matrix(const Canvas& canvas, const MatrixView& matrix, const
 }
 
 float matrix_height(const Canvas& canvas, const MatrixView& matrix, float cell) {
-    // the frame around the cells takes a pixel more
+    // the frame around the cells takes one pixel more
     return header_height(canvas) + canvas.px(cell) * static_cast<float>(std::max(1, rows_of(matrix))) + 1.0F;
 }
 
 std::vector<Span> row_owners(const MatrixView& matrix) {
     return spans_of(rows_of(matrix), [&](std::size_t k) {
         const MatrixView::Row& row = matrix.rows[k];
-        // for normalisation rows the columns show the body
+        // in normalisation rows, the columns show which body is meant
         return row.label == kNormalisation ? std::string(tr("norms")) : row.owner;
     });
 }

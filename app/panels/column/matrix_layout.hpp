@@ -24,29 +24,29 @@ struct MatrixLayout {
     Box primitives;             ///< "p1"
     Box components;             ///< "y"; width 0 if a row is too low for text
     Box bodies;                 ///< names above
-    Box symbols;                ///< of columns; height 0 if neither they nor those of their groups fit
-    bool every_symbol = false;  ///< else one for each group of columns: r, ω′
-    Box marks;                  ///< right of the rows: "=" of those that repeat others
+    Box symbols;                ///< of columns; height 0 if neither these nor those of groups fit
+    bool every_symbol = false;  ///< false: one for each group of columns: r, ω′
+    Box marks;                  ///< right of the rows: "=" of redundant rows
 
     Box cell(int row, int column) const;
     Box row(int first, int count = 1) const;
     Box column(int first, int count = 1) const;
 };
 
-/// @param at  the top left corner counts, and what is not to be exceeded
+/// @param at  gives the top left corner, and the largest width and height
 MatrixLayout layout_matrix(const Canvas& canvas, const MatrixView& matrix, const Box& at);
 
 /// Height of the matrix and its header with rows of `cell`, at 720.
 float matrix_height(const Canvas& canvas, const MatrixView& matrix, float cell);
 
 std::vector<Span> row_owners(const MatrixView& matrix);
-/// Within an owner: "s", "p1".
+/// Groups of rows within an owner: "s", "p1".
 std::vector<Span> row_primitives(const MatrixView& matrix);
 std::vector<Span> column_owners(const MatrixView& matrix);
-/// Within an owner: "r", "p", "ω′", "θ".
+/// Groups of columns within an owner: "r", "p", "ω′", "θ".
 std::vector<Span> column_kinds(const MatrixView& matrix);
 
-/// "p1 y" is primitive "p1" and component "y"; a label of one word is all primitive.
+/// "p1 y" has the primitive "p1" and the component "y"; a label of one word has only a primitive.
 std::string primitive_of(const std::string& label);
 std::string component_of(const std::string& label);
 

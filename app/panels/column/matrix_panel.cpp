@@ -16,7 +16,7 @@ namespace jw::panels {
 
 namespace {
 
-// rounding of products of sines and cosines; what is below is a zero of the structure
+// rounding of products of sines and cosines; smaller entries are structural zeros
 constexpr double kBlank = 1e-12;
 
 std::string name_of(CoordinateChoice choice) {
@@ -38,7 +38,7 @@ double largest_of(const MatrixView& matrix) {
 }
 
 /// "−1 ▮▮▯▮▮ 1" at the right end of the heading.
-/// @param room  beside the title, where the legend goes unless it is too little
+/// @param room  width beside the title; if it is too small, there is no legend
 void draw_legend(const Canvas& canvas, const Box& box, double largest, float room) {
     const ImFont* const small = canvas.fonts().small;
     const std::string high = number_text(largest, 2);
@@ -70,7 +70,7 @@ void draw_rows_background(const Canvas& canvas, const MatrixView& matrix, const 
     }
 }
 
-/// Under the entries, so that these keep their colours.
+/// Drawn before the entries, so that these keep their colours.
 void draw_redundant_rows(const Canvas& canvas, const MatrixView& matrix, const MatrixLayout& layout) {
     for (std::size_t k = 0; k < matrix.rows.size(); ++k) {
         if (!matrix.rows[k].redundant) { continue; }
@@ -84,7 +84,7 @@ void draw_entry(const Canvas& canvas, const Box& cell, double value, double larg
     if (std::abs(value) < kBlank) { return; }
     const Colour colour = colour_of_entry(value, largest);
     canvas.fill(cell, colour);
-    // two digits, where they fit and say something
+    // two decimals, if they fit and are not zero
     if (std::abs(value) < 0.005 || cell.width < canvas.px(36.0F) || cell.height < canvas.px(14.0F)) {
         return;
     }
@@ -121,7 +121,7 @@ void draw_grid(const Canvas& canvas, const MatrixView& matrix, const MatrixLayou
     float height_above = 0.0F;
     for (const Span& span : row_owners(matrix)) {
         const Box its_rows = layout.row(span.first, span.count);
-        // between names that stand closer than a line there is no room for another line
+        // names that are closer than a line of text leave no room for a separating line
         const bool among_names = std::min(its_rows.height, height_above) >= text_height;
         const float left = among_names ? layout.owners.x : cells.x;
         if (span.first > 0) { canvas.fill({left, its_rows.y, cells.right() - left, hair}, theme::kFaint); }
@@ -138,7 +138,7 @@ void draw_grid(const Canvas& canvas, const MatrixView& matrix, const MatrixLayou
         {cells.x - 1.0F, cells.y - 1.0F, cells.width + 2.0F, cells.height + 2.0F}, theme::kSoft, hair);
 }
 
-/// Names down the left side, each in the middle of its rows; one that would touch the name above is left out.
+/// Names down the left side, each in the middle of its rows. A name that would touch another is left out.
 class RowNames {
 public:
     RowNames(const Canvas& canvas, const Box& where, Colour colour)
@@ -147,7 +147,7 @@ public:
     void draw(const Box& rows, std::string_view name) {
         const ImFont* const small = canvas_.fonts().small;
         const float inked =
-            0.88F * small->FontSize;  // from the top of capitals to the foot of p, and some air
+            0.88F * small->FontSize;  // from the top of capitals to the foot of p, with a small gap
         if (rows.centre().y - 0.5F * inked < free_from_) { return; }
         const float top = std::round(rows.centre().y - 0.5F * canvas_.line_height(small));
         canvas_.text({where_.x, top}, small, colour_, shortened_name(*small, name, where_.width + 1.0F));
@@ -189,13 +189,13 @@ void draw_column_names(const Canvas& canvas, const MatrixView& matrix, const Mat
         const bool last = span.first + span.count == static_cast<int>(matrix.columns.size());
         const float room = columns.width - canvas.px(3.0F);
         if (last && canvas.text_width(small, span.name) > room) {
-            // beyond the last column there is room
+            // there is room beyond the last column
             const float more = layout.marks.right() - columns.x - canvas.px(3.0F);
             canvas.text(
                 {columns.x + canvas.px(3.0F), layout.bodies.y}, small, theme::kInk,
                 shortened_name(*small, span.name, more));
         } else if (room >= std::min(least, canvas.text_width(small, span.name))) {
-            // a name of one letter and dots would say nothing
+            // a name of one letter and dots would be useless
             centred(columns, layout.bodies.y, room, theme::kInk, span.name);
         }
     }
@@ -212,12 +212,12 @@ void draw_column_names(const Canvas& canvas, const MatrixView& matrix, const Mat
     }
 }
 
-/// Rows and columns can be pointed at; those that belong to what is pointed at are framed.
+/// Lets rows and columns be pointed at, and frames those that belong to the object under the pointer.
 void link_matrix(const Canvas& canvas, const MatrixView& matrix, const MatrixLayout& layout) {
     const float thick = std::max(1.0F, canvas.px(2.0F));
     const auto columns = static_cast<int>(matrix.columns.size());
     const auto rows = static_cast<int>(matrix.rows.size());
-    // neighbours that are lit get one frame
+    // highlighted neighbours share one frame
     const auto mark = [&](int count, const auto& pointable_of, const auto& box_of) {
         for (int k = 0; k < count; ++k) { canvas.spot(box_of(k, 1), pointable_of(k)); }
         for (int k = 0; k < count;) {
@@ -241,7 +241,7 @@ void draw_redundant_marks(const Canvas& canvas, const MatrixView& matrix, const 
     for (std::size_t k = 0; k < matrix.rows.size(); ++k) {
         if (!matrix.rows[k].redundant) { continue; }
         const Box row = layout.row(static_cast<int>(k));
-        // "=" as two bars: as high as the row allows
+        // "=" as two bars, as high as the row allows
         const float bar = std::max(1.0F, std::round(0.12F * row.height));
         const float left = layout.marks.x + canvas.px(5.0F);
         const float middle = std::round(row.centre().y);
@@ -254,7 +254,7 @@ void draw_redundant_marks(const Canvas& canvas, const MatrixView& matrix, const 
 
 Colour colour_of_entry(double value, double largest) {
     if (largest <= 0.0) { return theme::kWhite; }
-    // the smallest entry that counts is still a tint
+    // the smallest nonzero entry still has a tint
     constexpr float faintest = 0.12F;
     const auto strength = static_cast<float>(std::sqrt(std::min(1.0, std::abs(value) / largest)));
     const Colour hue = value < 0.0 ? theme::kNegative : theme::kPositive;

@@ -38,7 +38,7 @@ std::array<std::string, 3> numbers_of(const QuantityMotion& quantity, int decima
         column_text(quantity.acceleration, std::max(1, least)) + per + "/s²"};
 }
 
-/// How the quantities are set: with large text in a narrow column fewer decimals, then two lines each.
+/// How the quantities are set. Large text in a narrow column gets fewer decimals, then two lines each.
 struct QuantityStyle {
     int decimals = 4;
     bool two_lines = false;
@@ -91,11 +91,11 @@ void draw_quantity(
     }
 }
 
-/// Numbers one after the other, each right-aligned in a column of its own.
+/// Numbers side by side, each right-aligned in its own column.
 template <class Vector>
 void draw_numbers(const Canvas& canvas, const Box& cell, const Vector& v, int decimals) {
     const int count = static_cast<int>(v.size());
-    // one figure more before the point, one less behind it: columns are narrow
+    // columns are narrow: one more figure before the point means one less after it
     if (v.cwiseAbs().maxCoeff() >= 10.0) { --decimals; }
     const auto width_with = [&](int places) {
         return canvas.text_width(canvas.fonts().small, with_minus_signs(fixed_text(-0.5, places)));
@@ -127,8 +127,8 @@ void draw_symbol(const Canvas& canvas, const Box& cell, const Symbol& symbol) {
 
 Box name_cell(const Box& row) { return {row.x, row.y, kNamePart * row.width, row.height}; }
 
-/// Cell of a vector in a row. Of three vectors the first, r, has one more figure than the others; of two, r
-/// and p, it has three of the seven.
+/// Cell of a vector in a row. Of three vectors, the first one, r, gets more width, because its numbers have
+/// one more figure; of two, r and p, it gets three sevenths.
 Box vector_cell(const Box& row, int index, int count) {
     const float name = kNamePart * row.width;
     const float width = row.width - name;
@@ -143,7 +143,7 @@ void draw_name(const Canvas& canvas, const Box& row, const std::string& name) {
     canvas.text({cell.x, cell.y}, small, theme::kInk, shortened_name(*small, name, cell.width));
 }
 
-/// Vectors of every body, one row a body; `vectors_of` draws them.
+/// Vectors of every body, one row per body; `vectors_of` draws them.
 template <class VectorsOf>
 float table(
     const Canvas& canvas, const Box& box, const std::vector<BodyMotion>& bodies,

@@ -9,11 +9,11 @@ namespace jw::panels {
 /// @return height taken
 float quantities_panel(const Canvas& canvas, const Box& box, const View& view, Density density);
 
-/// r, ṙ and ω of every body, numbers in columns of steady width; accelerations too where there is room.
+/// r, ṙ and ω of every body, in columns of constant width; accelerations too if there is room.
 float bodies_motion_panel(
     const Canvas& canvas, const Box& box, const std::vector<BodyMotion>& bodies, Density density);
 
-/// r and p of every body: what the free bodies start from.
+/// r and p of every body: the start of the free bodies.
 float coordinates_panel(
     const Canvas& canvas, const Box& box, const std::vector<BodyMotion>& bodies, Density density);
 

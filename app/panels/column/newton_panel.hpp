@@ -5,8 +5,8 @@
 
 namespace jw::panels {
 
-/// Newton-Raphson, one line an iteration; the last is the step's and stands out. Earlier ones give way where
-/// there is no room.
+/// Newton-Raphson, one line per iteration. The last one is that of the step, and is highlighted. Earlier ones
+/// are left out if there is not enough room.
 /// @return height taken
 float newton_panel(const Canvas& canvas, const Box& box, const std::vector<NewtonRow>& rows, Density density);
 

@@ -9,7 +9,7 @@ namespace jw::panels {
 /// @return height taken
 float rank_figures(const Canvas& canvas, const Box& box, const RankView& rank);
 
-/// In words: what repeats what, the free motions, and warnings.
+/// In words: which equations imply a redundant one, the free motions, and warnings.
 float rank_words(const Canvas& canvas, const Box& box, const RankView& rank, Density density);
 
 /// Only the warnings: not assembled, nearly singular.

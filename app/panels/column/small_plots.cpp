@@ -14,16 +14,16 @@ namespace jw::panels {
 
 namespace {
 
-constexpr int kLowestPower = -16;  // what is smaller is zero to double precision
+constexpr int kLowestPower = -16;  // smaller values are zero in double precision
 
-/// Height of a value; values beyond the axis lie at its end.
+/// Vertical place of a value; values beyond the axis are at its end.
 float height_of(const Axis& axis, double value) {
     return axis.pixel(std::clamp(value, axis.range.from, axis.range.to));
 }
 
 int power_at(double value) { return static_cast<int>(std::lround(std::log10(value))); }
 
-/// Lines and names of every few powers; returns the box that is left for the curve.
+/// Draws lines and names of every few powers. @return the box that is left for the curve
 Box draw_powers(const Canvas& canvas, const Box& box, const Axis& axis) {
     const ImFont* const small = canvas.fonts().small;
     const float left = box.x + canvas.px(38.0F);
@@ -43,7 +43,7 @@ Box draw_powers(const Canvas& canvas, const Box& box, const Axis& axis) {
     return {left, axis.end, box.right() - left, room};
 }
 
-/// Text on a piece of paper, so that lines do not run through it.
+/// Text on a background of paper, so that lines do not run through it.
 void draw_note(const Canvas& canvas, Point at, std::string_view text, Align align) {
     const ImFont* const small = canvas.fonts().small;
     const float width = canvas.text_width(small, text);
@@ -61,7 +61,7 @@ void draw_threshold(const Canvas& canvas, const Box& plot, const Axis& axis, con
     draw_note(canvas, at, tr("threshold {0}", small_text(rank.threshold)), Align::left);
 }
 
-/// "1 of 18 is zero: rank 17", left of the first that is.
+/// "1 of 18 is zero: rank 17", left of the first zero.
 void draw_zero_label(const Canvas& canvas, Point at, std::size_t zeros, const RankView& rank) {
     const std::string text = tr_count(
         static_cast<int>(zeros), "{0} of {1} is zero: rank {2}", "{0} of {1} are zero: rank {2}",
@@ -80,7 +80,7 @@ void draw_stem(const Canvas& canvas, Point tip, float bottom, float radius) {
 
 void singular_values_plot(const Canvas& canvas, const Box& box, const RankView& rank) {
     const float margin = 0.6F * canvas.line_height(canvas.fonts().small);
-    // zeros stand clearly below the threshold, however small they came out
+    // zeros are clearly below the threshold, whatever their size
     const int low =
         rank.threshold > 0.0 ? static_cast<int>(std::floor(std::log10(rank.threshold))) - 3 : kLowestPower;
     const Axis axis = axis_of_powers(rank.singular_values, low, box.bottom() - margin, box.y + margin);

@@ -16,7 +16,7 @@ std::vector<SphereLine> lines_of(PairInUse pair);
 /// Colour of a quality between 0 and 1: vermilion below, paper at 1/√3, blue above.
 Colour colour_of_quality(double quality);
 
-/// The disc, every direction in the colour of its quality, a little darker towards the rim.
+/// Draws the disc: every direction in the colour of its quality, a little darker towards the rim.
 void draw_shading(const Canvas& canvas, const SphereView& view, PairInUse pair);
 
 /// The parts of a line that face the eye, as runs of pixels.

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kRingsOfSphere = 30;  // triangles of about 4 px on a sphere of 120 px radius
-constexpr int kSpokes = 96;         // as long along the rim
+constexpr int kSpokes = 96;         // sides of the same length along the rim
 constexpr int kLineParts = 120;
 
 constexpr std::array kContours{0.2, 0.4, 0.577, 0.8};
 
 int index_of(PairInUse pair) { return static_cast<int>(pair) - 1; }  // of the dropped component
 
-/// Cosines and sines of a whole turn, first and last the same: they are needed anew in every frame.
+/// Cosines and sines of a whole turn, first and last the same; kept because every frame needs them.
 const std::vector<std::array<double, 2>>& turn() {
     static const std::vector<std::array<double, 2>> parts = [] {
         std::vector<std::array<double, 2>> all;
@@ -77,13 +77,13 @@ std::vector<SphereLine> lines_of_rule() {
     return lines;
 }
 
-/// Towards the viewer bright, towards the rim a little darker: it is seen to be round.
+/// Makes a colour a little darker towards the rim, so that the sphere looks round.
 Colour shaded(Colour colour, double facing) {
     const auto light = static_cast<float>(0.80 + 0.20 * facing);
     return {light * colour.r, light * colour.g, light * colour.b, colour.a};
 }
 
-/// The side of the sphere that is seen: x to the right, y up, z to the eye.
+/// The visible side of the sphere: x to the right, y up, z to the eye.
 struct HalfSphere {
     std::vector<Vec3> directions;
     std::vector<unsigned short> triangles;  ///< three directions each

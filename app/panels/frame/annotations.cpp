@@ -14,14 +14,14 @@ namespace {
 
 constexpr float kGap = 9.0F;
 
-/// A label with what is to be drawn.
+/// A label with its formula and annotation, to be drawn.
 struct Drawn {
     Label label;
     Formula formula;  ///< empty for the name of a body
     const Annotation* annotation = nullptr;
 };
 
-/// Direction of a global vector on the picture, seen from `at`.
+/// Direction of a global vector on the picture, from the point `at`.
 Point direction_on_picture(
     const render::Camera& camera, const render::Rect& viewport, const Vec3& at, const Vec3& towards) {
     if (towards.isZero()) { return {}; }
@@ -46,7 +46,7 @@ std::vector<Segment> arrows_on_picture(
     return segments;
 }
 
-/// Joints stand out among the names of bodies.
+/// Names of joints are bold, to differ from names of bodies.
 const ImFont* font_of(const Canvas& canvas, const Annotation& name) {
     return name.link.kind == Pointable::Kind::joint ? canvas.fonts().bold : canvas.fonts().small;
 }
@@ -81,10 +81,10 @@ void draw_words(const Canvas& canvas, const Drawn& drawn, Point at, Colour colou
     }
 }
 
-/// Light around dark letters: readable over any body.
+/// Draws a light rim around dark letters, so that they are readable over any body.
 void draw_halo(const Canvas& canvas, const Drawn& drawn, Point at) {
     const Colour light = render::with_alpha(theme::kWhite, 0.55F);
-    // in large pictures eight copies would show as steps
+    // in large pictures, eight copies would be visible as steps
     const int copies = 8 * std::max(1, static_cast<int>(canvas.px(0.5F)));
     for (const float radius : {canvas.px(2.0F), canvas.px(1.0F)}) {
         for (int k = 0; k < copies; ++k) {

@@ -53,7 +53,7 @@ float height_of_three_lines(const Canvas& canvas) {
            canvas.line_height(fonts.normal) + 2.0F * canvas.px(kBetweenTitleLines);
 }
 
-/// The lesson; the step; where it stands, in the lecture and in the lesson.
+/// Three lines: the lesson; the step; its source and its number.
 void draw_three_lines(const Canvas& canvas, const Box& box, const View& view) {
     const render::Fonts& fonts = canvas.fonts();
     const float gap = canvas.px(kBetweenTitleLines);
@@ -75,7 +75,7 @@ Box inside_caption(const Canvas& canvas, const Box& box) {
     return shrunk(box, canvas.px(theme::kMargin), canvas.px(12.0F));
 }
 
-/// Large type while three lines are enough.
+/// The large font if three lines are enough.
 const ImFont* font_of_sentence(const Canvas& canvas, const Box& inner, const View& view) {
     const render::Fonts& fonts = canvas.fonts();
     return wrapped(*fonts.normal, view.sentence, inner.width).size() > 3 ? fonts.small : fonts.normal;

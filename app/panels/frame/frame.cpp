@@ -21,35 +21,35 @@ constexpr float kMostCaptionGrowth = 1.5F;
 constexpr float kTabsHeight = 36.0F;
 constexpr float kBarHeight = 56.0F;
 
-// upright: a book, a phone and a tablet are, two windows side by side are not
+// least height over width of an upright frame: a book, a phone, a tablet, but not two windows side by side
 constexpr float kUprightShape = 1.2F;
 constexpr float kUprightWidth = 480.0F;
 constexpr float kUprightHeight = 800.0F;
-constexpr float kUprightTitleHeight = 84.0F;  // three lines: there is no room for two texts beside each other
-constexpr float kMostSceneShape = 0.8F;       // height of the picture beside its width, at most
-constexpr float kUprightScenePart = 0.39F;    // of what title, tabs and bar leave
+constexpr float kUprightTitleHeight = 84.0F;  // three lines: two texts do not fit side by side
+constexpr float kMostSceneShape = 0.8F;       // largest height of the picture over its width
+constexpr float kUprightScenePart = 0.39F;    // of the height that title, tabs and bar leave
 constexpr float kUprightCaptionPart = 0.17F;
-constexpr float kFinger = 40.0F;            // height that it needs, in pixels of a page
-constexpr float kUnknownDensity = 1.25F;    // beside scale_of, as on a phone
-constexpr float kUprightBarHeight = 54.0F;  // beside the buttons: a line to scrub on, and gaps
+constexpr float kFinger = 40.0F;            // height that it needs, in pixels of a web page
+constexpr float kUnknownDensity = 1.25F;    // relative to scale_of, as on a phone
+constexpr float kUprightBarHeight = 54.0F;  // in addition to the buttons: a line to scrub on, and gaps
 
-constexpr float kLargestText = 1.5F;  // beside what scale_of gives: less room is not enough for the panels
-// letters of 14 pixels are the smallest: 11 in a hand, 10 where a turned phone has room for them
+constexpr float kLargestText = 1.5F;  // relative to scale_of: with larger text, panels have no room
+// the smallest letters, 14 pixels at scale 1, get 11 pixels in a hand, and 10 on a turned phone
 constexpr float kLeastUpright = 0.8F;
 constexpr float kLeastTurned = 0.72F;
 
-constexpr float kMostMargin = 0.2F;  // around bodies, of the picture
+constexpr float kMostMargin = 0.2F;  // around bodies, part of the picture
 
 constexpr float kLeastOfPhones = 2.0F;  // density
 
-/// A screen on which letters would be too small for a hand, though they are as large as there is room.
+/// True if letters would be too small for a hand although they are as large as the room allows.
 bool is_turned_phone(float usual, float density) {
     return density >= kLeastOfPhones && kLeastTurned * density > usual;
 }
 
 bool is_upright(float width, float height) { return height >= kUprightShape * width; }
 
-/// Names of bodies and vectors stand around it.
+/// Part of the scene for bodies; the margin has room for their names and those of vectors.
 render::Rect safe_part(const Box& scene, float scale) {
     const auto margin = [&](float at_720, float length) {
         return std::min(std::round(at_720 * scale), kMostMargin * length);
@@ -57,14 +57,14 @@ render::Rect safe_part(const Box& scene, float scale) {
     return rect_of(shrunk(scene, margin(44.0F, scene.width), margin(34.0F, scene.height)));
 }
 
-/// Strip at the foot of `rest`, which loses it.
+/// Cuts a strip off the foot of `rest`.
 Box cut_bottom(Box& rest, float height) {
     Box bottom = rest;
     rest = cut_top(bottom, rest.height - height);
     return bottom;
 }
 
-/// @param text  size of text beside that of a frame of this size: the caption grows with it
+/// @param text  size of text relative to that of a frame of this size: the caption grows with it
 FrameLayout column_at_right(const Box& frame, FrameKind kind, float scale, float text) {
     Box rest = frame;
     FrameLayout layout;
@@ -82,7 +82,7 @@ FrameLayout column_at_right(const Box& frame, FrameKind kind, float scale, float
     return layout;
 }
 
-/// @param finger  pixels that it needs
+/// @param finger  height that a finger needs [pixels]
 FrameLayout upright(const Box& frame, FrameKind kind, float scale, float finger) {
     const bool is_window = kind == FrameKind::window;
     Box rest = frame;

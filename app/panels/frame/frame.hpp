@@ -9,52 +9,53 @@
 /// A whole frame: title, the 3D picture with its labels, caption, and the column of panels.
 namespace jw::panels {
 
-/// The parts of a frame. They depend on nothing but its size, so nothing moves from step to step.
+/// The parts of a frame. They depend only on its size, so nothing moves from step to step.
 ///
-/// A frame that is clearly higher than wide stands upright: its parts are as wide as the frame and below each
-/// other, in the order in which they are listed here. Any other has the column, with tabs above it, at the
-/// right.
+/// A frame that is clearly higher than wide is upright: its parts are as wide as the frame, and one below the
+/// other in the order in which they are listed here. In any other frame, the column is at the right, with
+/// tabs above it.
 struct FrameLayout {
     bool upright = false;
-    bool for_fingers = false;  ///< what is pressed is larger: upright, or a phone that is turned
+    bool for_fingers = false;  ///< larger controls: upright, or a phone that is turned
     Box title;
     render::Rect scene;       ///< 3D viewport
-    render::Rect scene_safe;  ///< part of it that bodies should keep to: labels find room around
+    render::Rect scene_safe;  ///< part of it for bodies, with room for labels around
     Box caption;              ///< below the scene
-    Box tabs;                 ///< above the column; of no height in pictures
+    Box tabs;                 ///< above the column; height 0 in pictures
     Box column;               ///< of panels
-    Box bar;                  ///< of the timeline, at the foot; of no height in pictures
+    Box bar;                  ///< of the timeline, at the foot; height 0 in pictures
 };
 
 enum class FrameKind { picture, window };
 
-/// Sizes of text for a frame: 1 at 1280x720, and at 480x800, of which an upright frame has the width or the
-/// height.
+/// Size of text for a frame: 1 at 1280x720, and for upright frames 1 at 480x800. The smaller of the ratios of
+/// width and height counts.
 float scale_of(int width, int height);
 
-/// A screen, and the size of text that somebody asks for on it.
+/// A screen, and the size of text that the user wants on it.
 struct Looking {
-    /// Pixels for one of a web page, of which a phone has about 400 in its width; 0: not known.
+    /// Pixels of the screen per pixel of a web page (a phone is about 400 of those wide); 0: not known.
     float density = 0.0F;
-    float text = 1.0F;  ///< beside the usual one
+    float text = 1.0F;  ///< relative to the usual one
 };
 
-/// Sizes of text for a frame on a screen. Where its density is known, letters are as large as a hand needs
-/// them, in an upright frame no larger than those of pages, and never so large that panels have no room.
+/// Size of text for a frame on a screen. If the density is known, letters are large enough for a screen in
+/// the hand; in an upright frame they are not larger than those of web pages, and never so large that panels
+/// have no room.
 float scale_on_screen(int width, int height, const Looking& looking);
 
 FrameLayout layout_of(int width, int height);
 
-/// Sizes of text for a frame that is the 3D picture alone: names are as large beside the mechanism as with
+/// Size of text for a frame with only the 3D picture: relative to the mechanism, names are as large as with
 /// panels.
 float scale_without_panels(int width, int height);
 
-/// Layout of a frame that is the 3D picture alone.
+/// Layout of a frame with only the 3D picture.
 FrameLayout layout_without_panels(const Box& frame, float scale);
 
-/// Layout of a frame with letters of another size than scale_of.
+/// Layout of a frame whose size of text is not that of scale_of.
 /// @param scale  of text; the caption grows with it
-/// @param density  see Looking: in an upright window what is pressed is as high as a finger needs
+/// @param density  see Looking: in an upright window, controls are as high as a finger needs
 FrameLayout layout_in(const Box& frame, FrameKind kind, float scale, float density = 0.0F);
 
 /// Draws everything but the 3D picture itself.

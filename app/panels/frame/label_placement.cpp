@@ -12,7 +12,7 @@ namespace jw::panels {
 namespace {
 
 constexpr int kDirections = 12;
-// distances between point and label in gaps; the last ones only for what must be shown
+// distances between point and label in gaps; the last ones only for labels that must be shown
 constexpr std::array kRings{1.0F, 2.2F, 4.0F, 7.0F, 11.0F, 16.0F};
 constexpr std::size_t kRingsOfOptional = 2;
 constexpr std::size_t kFirstFarRing = 2;
@@ -26,7 +26,7 @@ Box candidate(const Label& label, float angle, float distance) {
     return {x - 0.5F * label.width, y - 0.5F * label.height, label.width, label.height};
 }
 
-/// Cost of a label's place by how far it is from where one would look for it; 0 is best.
+/// Cost of a label's place: its distance from the place where one would look for it; 0 is best.
 float cost_of(const Label& label, float angle, std::size_t ring) {
     const float length = std::hypot(label.towards.x, label.towards.y);
     float turned_away = 0.0F;
@@ -79,7 +79,7 @@ PlacedLabel place(
 }  // namespace
 
 bool crosses(const Segment& segment, const Box& box) {
-    // the part of the segment, 0 to 1, that lies within both pairs of edges
+    // range of the segment, within 0 to 1, that lies between both pairs of edges
     float first = 0.0F;
     float last = 1.0F;
     const auto clip = [&](float from, float to, float low, float high) {

@@ -31,7 +31,7 @@ inline bool overlap(const Box& a, const Box& b) {
     return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
 }
 
-/// The part of both; of no width or height where there is none.
+/// The common part of two boxes; width or height 0 if there is none.
 inline Box common(const Box& a, const Box& b) {
     const float left = std::max(a.x, b.x);
     const float top = std::max(a.y, b.y);

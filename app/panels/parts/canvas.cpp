@@ -209,7 +209,7 @@ void Canvas::gradient_mesh(
     }
     if (list_ == nullptr) { return; }
     list_->PrimReserve(static_cast<int>(triangles.size()), static_cast<int>(corners.size()));
-    // after it was reserved, which may begin to count anew
+    // read after PrimReserve, which may restart the count
     const unsigned first = list_->_VtxCurrentIdx;
     for (const unsigned short corner : triangles) {
         list_->PrimWriteIdx(static_cast<ImDrawIdx>(first + corner));

@@ -22,7 +22,7 @@ using render::Colour;
 
 enum class Align { left, centre, right };
 
-/// A place on the picture that stands for something; see pointable.hpp.
+/// A place on the picture that belongs to an object; see pointable.hpp.
 struct HotSpot {
     Box box;
     Pointable link;
@@ -30,8 +30,8 @@ struct HotSpot {
 
 /// Canvas that panels are drawn on: a draw list of ImGui and the fonts.
 ///
-/// Without a list nothing is drawn: a panel run on such a canvas returns the height that it takes, from the
-/// same code that draws it. Minus signs of numbers are set as − wherever text is drawn.
+/// Without a list nothing is drawn: a panel on such a canvas returns the height that it needs, from the same
+/// code that draws it. Minus signs of numbers are drawn as −.
 class Canvas {
 public:
     Canvas(ImDrawList* list, const render::Fonts& fonts) : list_(list), fonts_(&fonts) {}
@@ -47,21 +47,21 @@ public:
     /// Canvas with the same fonts that draws nothing.
     Canvas measuring() const { return {static_cast<ImDrawList*>(nullptr), *fonts_}; }
 
-    /// Canvas for a picture that can be pointed at: what is `lit` stands out, and the places of things are
-    /// added to `spots`. Both must outlive the canvas.
+    /// Canvas for a picture whose objects can be pointed at: objects in `lit` are highlighted, and the places
+    /// of objects are added to `spots`. Both must outlive the canvas.
     Canvas pointed(const Emphasis& lit, std::vector<HotSpot>& spots) const;
     /// Canvas that draws every colour in its variant for that tone.
     Canvas in(render::Tone tone) const;
 
-    /// Canvas of which only what lies in `box` is seen: places outside cannot be pointed at.
+    /// Canvas of which only the part in `box` is visible: places outside cannot be pointed at.
     Canvas within(const Box& box) const;
 
-    /// Canvas of which the symbols in that list can be pointed at; the list must outlive it.
+    /// Canvas on which the symbols in that list can be pointed at; the list must outlive the canvas.
     Canvas naming(const std::vector<SymbolView>& symbols) const;
-    /// Link of a symbol; none if it stands for nothing.
+    /// Link of a symbol; none if the symbol is not in the list.
     Pointable symbol(std::string_view scope, std::string_view source) const;
 
-    /// `box` stands for `link`.
+    /// Registers `box` as a place of `link`.
     void spot(const Box& box, const Pointable& link) const;
     bool lit(const Pointable& link) const { return lit_ != nullptr && lit_->contains(link); }
 
@@ -86,28 +86,28 @@ public:
     void dashed_line(Point from, Point to, Colour colour, float thickness = 1.0F) const;
     void disc(Point centre, float radius, Colour colour) const;
     void ring(Point centre, float radius, Colour colour, float thickness) const;
-    /// Diagonal lines within `box`: a mark that needs no colour.
+    /// Diagonal lines within `box`: a mark that is visible without colours.
     void hatch(const Box& box, Colour colour, float distance) const;
-    /// Filled if `filled`, else its outline; the size of a small letter.
+    /// A square, or its outline if not `filled`; about as large as a small letter.
     void square(Point centre, float side, Colour colour, bool filled) const;
-    /// Filled; its corners may differ in colour.
+    /// A filled triangle whose corners may differ in colour.
     void gradient_triangle(const Point (&corners)[3], const Colour (&colours)[3]) const;
 
-    /// Triangles of corners that they share, three numbers each.
+    /// Filled triangles with shared corners; three indices each.
     void gradient_mesh(
         std::span<const Point> corners, std::span<const Colour> colours,
         std::span<const unsigned short> triangles) const;
 
 private:
     ImDrawList* list_ = nullptr;
-    Strokes* strokes_ = nullptr;  ///< or that, never both
+    Strokes* strokes_ = nullptr;  ///< only one of list_ and strokes_ is set
     const render::Fonts* fonts_;
     unsigned packed(const Colour& colour) const;
     void stroke_text(Point at, const ImFont& font, const Colour& colour, std::string_view text) const;
     void stroke_glyph(Point origin, const ImFontGlyph& glyph, const Colour& colour, float stretch) const;
 
     render::Tone tone_ = render::Tone::light;
-    mutable Colour last_;  ///< colours come in runs: the last one need not be toned again
+    mutable Colour last_;  ///< kept, because the same colour is often used several times in a row
     mutable unsigned last_packed_ = 0;
     const Emphasis* lit_ = nullptr;
     std::vector<HotSpot>* spots_ = nullptr;

@@ -21,7 +21,7 @@ Colour colour_of(Ink ink, Colour plain) {
     return plain;
 }
 
-/// Which vector of the joint a symbol stands for.
+/// The vector of the joint that a symbol stands for.
 Pointable pointable_of(Ink ink, int joint) {
     switch (ink) {
         case Ink::vector_i: return Pointable::vector(joint, Pointable::kVectorI);
@@ -61,7 +61,7 @@ void draw_formula(const Canvas& canvas, Point baseline, const Formula& formula, 
 }
 
 void link_formula(const Canvas& canvas, Point baseline, const Formula& formula, int joint) {
-    // glyphs of one symbol follow each other: letter, accent, scripts
+    // the glyphs of a symbol are consecutive: letter, accent, scripts
     for (std::size_t k = 0; k < formula.glyphs.size();) {
         const Ink ink = formula.glyphs[k].ink;
         const float left = formula.glyphs[k].origin.x;

@@ -7,7 +7,7 @@
 #include "app/panels/parts/canvas.hpp"
 #include "lessons/math/math.hpp"
 
-/// Formulas as on the page, from the notation of docs/mathematics.md.
+/// Formulas as on paper, from the notation of docs/mathematics.md.
 namespace jw::panels {
 
 /// The fonts of one size.
@@ -18,26 +18,26 @@ struct FormulaFonts {
 
 FormulaFonts formula_fonts(const render::Fonts& fonts);
 FormulaFonts large_formula_fonts(const render::Fonts& fonts);
-/// Fonts of formulas in a line of words of the font `words`.
+/// Fonts of formulas in a line of text in the font `words`.
 FormulaFonts formula_fonts_beside(const render::Fonts& fonts, const ImFont& words);
 /// Fonts of formulas in tables and pictures: the script font is also the base.
 FormulaFonts small_formula_fonts(const render::Fonts& fonts);
 
-/// Which body a vector belongs to: its colour is the one it has in the 3D picture.
+/// Vector of the joint that a symbol stands for: it gets the colour of the vector in the 3D picture.
 enum class Ink { plain, vector_i, vector_j, vector_d };
 
 struct FormulaGlyph {
     const ImFontGlyph* glyph = nullptr;
     Point origin;  ///< of the glyph's line box, from the left end of the formula's baseline
     Ink ink = Ink::plain;
-    float stretch = 1.0F;  ///< in height, of delimiters and roots around what is tall
+    float stretch = 1.0F;  ///< in height, of delimiters and roots around tall contents
 };
-/// A line: of a fraction, a root or a bracket.
+/// The line of a fraction, a root or a bracket.
 struct FormulaRule {
     Box box;  ///< from the left end of the baseline
 };
 
-/// A symbol of the formula, its dots and scripts included.
+/// A symbol of the formula, with its dots and scripts.
 struct FormulaSymbol {
     Box box;             ///< from the left end of the baseline
     std::string source;  ///< see formula::TextSymbol
@@ -48,30 +48,30 @@ struct Formula {
     std::vector<FormulaSymbol> symbols;
     std::vector<FormulaRule> rules;
     float width = 0.0F;
-    float ascent = 0.0F;   ///< above the baseline, of what is really inked
-    float descent = 0.0F;  ///< below it
+    float ascent = 0.0F;   ///< height above the baseline, only of what is drawn
+    float descent = 0.0F;  ///< depth below the baseline
 };
 
 /// Size of fractions and sums.
 enum class MathStyle {
-    in_line,  ///< fractions in small letters, so that lines stay apart
+    in_line,  ///< small fractions, so that they do not widen the distance of lines
     display,
 };
 
 Formula layout_formula(const math::Row& row, const FormulaFonts& fonts, MathStyle style = MathStyle::in_line);
 /// A formula of the program itself.
-/// @throws std::invalid_argument if it is not written as docs/mathematics.md says
+/// @throws std::invalid_argument if it does not follow docs/mathematics.md
 Formula layout_formula(std::string_view latex, const FormulaFonts& fonts);
 
-/// @param colours  of vectors as in the picture; otherwise everything is drawn in `colour`
+/// @param colours  true: vectors have their colours in the picture; false: everything is drawn in `colour`
 void draw_formula(
     const Canvas& canvas, Point baseline, const Formula& formula, Colour colour, bool colours = false);
 
-/// The vectors of the formula can be pointed at; those that are lit are marked. Call before drawing it.
+/// Lets the vectors of the formula be pointed at, and marks highlighted ones. Call before drawing it.
 void link_formula(const Canvas& canvas, Point baseline, const Formula& formula, int joint);
 
-/// The symbols of the formula that stand for something can be pointed at, and the one that is lit is marked.
-/// Call before drawing it.
+/// Lets the symbols of the formula that have a meaning be pointed at, and marks the highlighted one. Call
+/// before drawing it.
 /// @param scope  see SymbolView
 void link_symbols(const Canvas& canvas, Point baseline, const Formula& formula, std::string_view scope = {});
 

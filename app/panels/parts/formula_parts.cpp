@@ -14,9 +14,9 @@ namespace {
 
 // in parts of the font size, as in books set with Latin Modern
 constexpr float kAccentGap = 0.02F;
-constexpr float kSlant = 0.06F;        ///< slanted letters carry a mark so far right of their middle
+constexpr float kSlant = 0.06F;        ///< shift of a mark to the right of the middle of a slanted letter
 constexpr float kRule = 0.045F;        ///< thickness of lines
-constexpr float kFractionGap = 0.13F;  ///< between the line and what stands over and under it
+constexpr float kFractionGap = 0.13F;  ///< between the line and the parts above and below it
 constexpr float kFractionSide = 0.12F;
 constexpr float kRootGap = 0.12F;
 constexpr float kColumnGap = 0.8F;
@@ -32,7 +32,7 @@ void add_rule(Formula& formula, const Box& box) {
     formula.descent = std::max(formula.descent, box.bottom());
 }
 
-/// [ and ] and | and ‖ are lines: sharp at any height.
+/// Draws [, ], | and ‖ as lines, which are sharp at any height.
 Formula bracket_of_lines(std::string_view drawn, float em, float ascent, float descent) {
     Formula bracket;
     const float line = thickness(em);
@@ -127,7 +127,7 @@ Formula root_formula(const ImFont& font, const Formula& inner) {
     const float line = thickness(em);
     const float gap = kRootGap * em;
     Formula sign = delimiter_formula(font, "√", inner.ascent + gap + line, inner.descent + 0.1F * em);
-    // a root that is not stretched may be taller than what is in it
+    // a root sign that is not stretched may be taller than its contents
     const float top = std::round(sign.ascent);
     Formula root;
     put_into(root, sign, {});

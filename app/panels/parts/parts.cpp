@@ -49,7 +49,7 @@ float heading(
 float heading(const Canvas& canvas, const Box& box, std::string_view title, std::string_view note) {
     const ImFont* const bold = canvas.fonts().bold;
     const ImFont* const small = canvas.fonts().small;
-    // the title first; a note of which little would be left is left out
+    // the title has priority; a note that would be cut too short is left out
     const std::string name = shortened(*bold, title, box.width);
     const float room = box.width - canvas.text_width(bold, name) - canvas.px(12.0F);
     const std::string aside = room > canvas.px(kLeastNote) ? shortened(*small, note, room) : "";
@@ -84,7 +84,7 @@ float paragraph_height(const Canvas& canvas, const ImFont* font, std::string_vie
 }
 
 std::string live_text(double value) {
-    // four decimals say nothing about what is smaller
+    // four decimals show nothing of a smaller value
     constexpr double kSmallest = 5e-4;
     constexpr double kLargest = 1e4;
     constexpr double kRounding = 1e-15;  // of an equation in metres and radians

@@ -5,14 +5,15 @@
 
 #include "app/panels/parts/canvas.hpp"
 
-/// Pieces that several panels are made of. Those that return a height took it from the top of their box.
+/// Pieces that several panels are made of. If a function returns a height, it has used this height from the
+/// top of its box.
 namespace jw::panels {
 
-/// Room that a panel takes; what is needed least is left out first. Bare is for a picture alone that has no
-/// room for what is tight: in a window it scrolls.
+/// Room that a panel takes; the least important parts are left out first. `bare` is only for pictures without
+/// room for `tight`: a window scrolls instead.
 enum class Density { roomy, compact, tight, bare };
 
-/// Bold title at the left, soft note at the right, a hairline below.
+/// Draws a bold title at the left, a pale note at the right, and a thin line below.
 float heading(const Canvas& canvas, const Box& box, std::string_view title, std::string_view note = {});
 
 /// Draws a heading with a formula before the title: "\\boldsymbol{\\Phi}_q".
@@ -21,24 +22,24 @@ float heading(
     std::string_view note);
 float heading_height(const Canvas& canvas);
 
-/// Sheet with round corners over something else.
+/// Draws a sheet with round corners over something else.
 void sheet(const Canvas& canvas, const Box& box, Colour shade, Colour edge);
 
 /// Width of the thinnest line.
 float hairline(const Canvas& canvas);
 
-/// Wrapped text with formulas; whole sentences are left out where more than `most_lines` would be needed.
+/// Wrapped text with formulas; whole sentences are left out if it would need more than `most_lines`.
 float paragraph(
     const Canvas& canvas, const Box& box, const ImFont* font, Colour colour, std::string_view text,
     std::size_t most_lines = 100);
 
-/// What a paragraph needs to be whole.
+/// Height that the whole paragraph needs.
 float paragraph_height(const Canvas& canvas, const ImFont* font, std::string_view text, float width);
 
 /// Value of an equation as text: "0.0123", "-1.2e-07", and "0" for rounding.
 std::string live_text(double value);
 
-/// Fewer decimals from 100 on, so that a column of numbers holds any of them and the point rarely moves.
+/// Number with fewer decimals from 100 on, so that it fits into a column and the point rarely moves.
 std::string column_text(double value, int decimals);
 
 }  // namespace jw::panels

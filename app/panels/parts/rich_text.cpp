@@ -13,15 +13,15 @@ namespace jw::panels {
 
 namespace {
 
-constexpr float kBetweenLines = 2.0F;  ///< pixels at 720, around formulas that are higher than words
+constexpr float kBetweenLines = 2.0F;  ///< pixels at 720, around formulas that are higher than text
 constexpr float kAroundDisplay = 5.0F;
 constexpr float kDisplayIndent = 1.5F;
-constexpr float kBesideCode = 0.2F;  ///< of the size of the font, to either side
+constexpr float kBesideCode = 0.2F;  ///< of the size of the font, on each side
 
-// a formula breaks from Chinese as a Latin letter does
+// between Chinese and a formula, a line may break as between Chinese and a Latin letter
 constexpr char32_t kFormula = U'x';
 
-/// Pieces that stay on one line, and whether a space stands before them.
+/// Pieces that stay on one line, and whether a space is before them.
 struct Chunk {
     std::vector<RichPiece> pieces;  ///< x from the left end of the chunk
     float width = 0.0F;
@@ -30,7 +30,7 @@ struct Chunk {
     bool own_line = false;  ///< a displayed formula
 };
 
-/// Makes chunks of words and formulas.
+/// Splits words and formulas into chunks.
 class Chunks {
 public:
     Chunks(const render::Fonts& fonts, const ImFont& font) : fonts_(&fonts), font_(&font) {}
@@ -52,7 +52,7 @@ public:
         }
     }
 
-    /// Code is not broken.
+    /// Adds code, which is not broken into lines.
     void add_code(const std::string& code) {
         const float beside = std::round(kBesideCode * font_->FontSize);
         may_break_ = may_break_ || may_break_between(last_, kFormula);
@@ -136,7 +136,7 @@ private:
     char32_t last_ = U' ';  ///< before the next piece
     bool pending_space_ = false;
     bool pending_line_ = false;
-    bool may_break_ = false;  ///< without a space
+    bool may_break_ = false;  ///< a line may break here without a space
     bool after_display_ = false;
 };
 

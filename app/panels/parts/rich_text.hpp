@@ -6,10 +6,10 @@
 #include "app/panels/parts/formula.hpp"
 #include "lessons/math/text_parts.hpp"
 
-/// Lines of words, formulas, and code on a shade.
+/// Lines of words, formulas, and code on a shaded background.
 namespace jw::panels {
 
-/// Words, code or a formula, at its place in the line.
+/// Words, code or a formula, with the place in the line.
 struct RichPiece {
     float x = 0.0F;
     std::string words;   ///< empty: a formula
@@ -21,18 +21,18 @@ struct RichLine {
     float ascent = 0.0F;  ///< above the baseline
     float descent = 0.0F;
     float width = 0.0F;
-    bool display = false;  ///< a formula of its own
+    bool display = false;  ///< a displayed formula
 };
 struct RichText {
     std::vector<RichLine> lines;
     float height = 0.0F;
 };
 
-/// Lays a text with formulas out in lines no wider than `width`; a formula that is wider alone is broken at
-/// its relations. A line feed begins a line.
+/// Lays out a text with formulas in lines no wider than `width`. A formula that is wider than a line is
+/// broken before its relations. A line feed begins a line.
 RichText layout_rich(const render::Fonts& fonts, const ImFont& font, std::string_view text, float width);
 
-/// As much of the text as is no higher than `height`: whole sentences are left out from the end, marked "…".
+/// The part of the text that fits into `height`: whole sentences are left out from the end, marked "…".
 RichText layout_rich_to(
     const render::Fonts& fonts, const ImFont& font, std::string_view text, float width, float height);
 

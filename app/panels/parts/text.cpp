@@ -13,11 +13,11 @@ namespace jw::panels {
 
 namespace {
 
-/// True for characters of a word in ASCII; bytes of other characters are not, so θ_0 counts as one letter.
+/// True for characters of a word in ASCII; false for bytes of other characters, so θ_0 counts as one letter.
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Bytes of the character that starts with `first`; 0 if none does.
+/// Number of bytes of the character that starts with `first`; 0 if none starts with it.
 std::size_t bytes_of(unsigned char first) {
     if (first < 0x80) { return 1; }
     if (first >= 0xC2 && first < 0xE0) { return 2; }
@@ -34,7 +34,7 @@ bool is_minus(std::string_view text, std::size_t k) {
     return before == ' ' || before == '(' || before == '=' || before == '\n';
 }
 
-/// May a line end between these two words?
+/// True if a line may end between these two words.
 bool breaks_between(std::string_view left, std::string_view right) {
     const auto binds = [](std::string_view word) {
         return word == "·" || word == "=" || word == "→" || word == "−";
@@ -42,7 +42,7 @@ bool breaks_between(std::string_view left, std::string_view right) {
     return !binds(left) && !binds(right) && left != "Φq";
 }
 
-/// What stays on one line: words, or parts of a word in Chinese.
+/// A unit that stays on one line: words, or parts of a word in Chinese.
 struct Unbroken {
     std::string text;
     bool space_before = false;
@@ -69,8 +69,8 @@ std::vector<Unbroken> units_of(std::string_view line) {
     return units;
 }
 
-/// Width of a line of which a part that is `before` wide stands before `text`. One sum from the left, so that
-/// a line that grows is as wide as one that is measured at once.
+/// Width of a line whose part before `text` has the width `before`. The sum runs from the left, so that a
+/// line that grows has the same width as one that is measured at once.
 float width_behind(float before, const ImFont& font, std::string_view text) {
     const auto advance = [&](char32_t c) {
         const bool drawn = c <= IM_UNICODE_CODEPOINT_MAX;  // ImGui draws a box for others
@@ -99,7 +99,7 @@ std::size_t bytes_that_fit(const ImFont& font, std::string_view text, float widt
     return fits;
 }
 
-/// Greedy, one paragraph.
+/// Wraps one paragraph, greedily.
 void wrap_into(std::vector<std::string>& lines, const ImFont& font, std::string_view paragraph, float width) {
     std::string line;
     float so_far = 0.0F;
@@ -114,7 +114,7 @@ void wrap_into(std::vector<std::string>& lines, const ImFont& font, std::string_
         if (!line.empty()) { lines.push_back(line); }
         while (text_width(font, unit) > width && unit.size() > 1) {
             std::size_t cut = bytes_that_fit(font, unit, width);
-            // words that would rather stay together still break between each other before breaking themselves
+            // words that should stay together are separated before one of them is broken
             const std::size_t space = unit.rfind(' ', cut);
             if (space != std::string::npos && space > 0) { cut = space; }
             if (cut >= unit.size()) { break; }
@@ -149,7 +149,7 @@ std::string typeset(std::string_view text) {
             set += text[k];
             continue;
         }
-        // one letter alone before it: s_i, but not file_1
+        // only after a single letter: s_i, but not file_1
         const bool single = k >= 1 && (k == 1 || !is_word(text[k - 2]) || !is_word(text[k - 1]));
         if (found != subscripts.end() && single) {
             set += found->second;

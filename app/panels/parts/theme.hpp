@@ -17,9 +17,9 @@ inline constexpr Colour kShade = palette::kPaperShade;
 inline constexpr Colour kWhite = render::from_hex(0xFFFFFF);
 
 inline constexpr Colour kAccent = palette::kVectorI;                   ///< progress, current row, curves
-inline constexpr Colour kSubject = render::from_hex(0xFBF0D2);         ///< behind what the step is about
+inline constexpr Colour kSubject = render::from_hex(0xFBF0D2);         ///< behind the subject of the step
 inline constexpr Colour kSubjectMark = palette::kHighlight;            ///< at its edge
-inline constexpr Colour kRedundant = palette::kBad;                    ///< repeats others
+inline constexpr Colour kRedundant = palette::kBad;                    ///< redundant equations
 inline constexpr Colour kRedundantShade = render::from_hex(0xF7E3D8);  ///< behind its label
 inline constexpr Colour kWarning = render::from_hex(0x8A5A00);         ///< text of a warning
 inline constexpr Colour kWarningShade = render::from_hex(0xFCF3DC);

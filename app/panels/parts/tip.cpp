@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kPadding = 8.0F;
 constexpr float kBetweenTipLines = 3.0F;
-constexpr float kOff = 10.0F;         ///< from what the tip is about
+constexpr float kOff = 10.0F;         ///< distance from the subject of the tip
 constexpr float kWidestTip = 640.0F;  ///< at 720
 
 float width_of(const RichText& text) {
@@ -25,7 +25,7 @@ float width_of(const RichText& text) {
     return width;
 }
 
-/// Lines that fit, from the first on, and their size.
+/// The first lines, as many as fit, and their size.
 struct TipLines {
     std::vector<RichText> lines;
     float width = 0.0F;
@@ -45,7 +45,7 @@ TipLines lines_in(const Canvas& canvas, const std::vector<std::string>& lines, f
     return laid;
 }
 
-/// Below what it is about, else above it, else wherever it fits.
+/// Place below the subject of the tip, else above it, else anywhere in `within`.
 Box placed(const TipPlace& place, float width, float height, float off) {
     Box box{place.beside.x, place.beside.bottom() + off, width, height};
     if (box.bottom() > place.within.bottom()) {

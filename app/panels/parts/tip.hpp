@@ -7,15 +7,15 @@
 
 namespace jw::panels {
 
-/// Where a tip goes and how it looks.
+/// Place of a tip.
 struct TipPlace {
-    Box beside;  ///< what it is about; it does not cover that where there is room
-    Box within;  ///< it never leaves this
+    Box beside;  ///< subject of the tip, which the tip does not cover if there is room
+    Box within;  ///< the tip stays in this box
 };
 
-/// Draws lines with formulas on a sheet of their size. What is too wide or too high for the place is left
-/// out, a whole line at a time.
-/// @return the sheet; of no width where nothing fits
+/// Draws lines with formulas on a sheet of their size. Lines that are too wide or too high for the place are
+/// left out.
+/// @return the sheet; width 0 if nothing fits
 Box draw_tip(const Canvas& canvas, const TipPlace& place, const std::vector<std::string>& lines);
 
 }  // namespace jw::panels

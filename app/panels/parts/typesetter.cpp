@@ -31,7 +31,7 @@ bool is_latin(char32_t c) { return (c >= U'a' && c <= U'z') || (c >= U'A' && c <
 bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
 bool is_capital(char32_t c) { return (c >= U'A' && c <= U'Z') || (c >= 0x0391 && c <= 0x03A9); }
 
-/// Vectors are bold italic, matrices, Φ and 0 bold upright.
+/// Vectors are bold italic; matrices, Φ and 0 are bold upright.
 char32_t bold(char32_t c) {
     return is_capital(c) || is_digit(c) ? render::math_bold(c) : render::math_bold_italic(c);
 }
@@ -59,7 +59,7 @@ char32_t mark_of(math::AccentKind kind) {
     return 0x00AF;
 }
 
-/// The letter that a symbol is known by, under its accents; nullptr if it is none.
+/// The letter of a symbol, below its accents; nullptr if there is none.
 const math::Sign* letter_of(const math::Node& node) {
     if (const auto* const sign = std::get_if<math::Sign>(&node.nucleus)) {
         return sign->kind == math::SignKind::letter ? sign : nullptr;
@@ -68,7 +68,7 @@ const math::Sign* letter_of(const math::Node& node) {
     return accent != nullptr && accent->inner.size() == 1 ? letter_of(accent->inner[0]) : nullptr;
 }
 
-/// Only bold letters are vectors.
+/// Colour of a symbol; only bold letters are vectors.
 Ink ink_of(const math::Node& node) {
     const math::Sign* const letter = letter_of(node);
     if (letter == nullptr || letter->alphabet != math::Alphabet::bold) { return Ink::plain; }
@@ -82,14 +82,14 @@ Ink ink_of(const math::Node& node) {
 
 bool is_space(const math::Node& node) { return std::holds_alternative<math::Space>(node.nucleus); }
 
-/// A minus after these is a sign of what follows.
+/// True if a minus after `node` is a sign, not an operation.
 bool awaits_operand(const math::Node& node) {
     using enum math::SignKind;
     return is_kind(node, relation) || is_kind(node, operation) || is_kind(node, opening) ||
            is_kind(node, punctuation) || is_space(node);
 }
 
-/// A symbol that would run into its neighbour.
+/// True for a symbol that would touch its neighbour without a space.
 bool is_marked(const math::Node& node) {
     if (is_kind(node, math::SignKind::number) && node.above.empty()) { return false; }
     return !node.below.empty() || !node.above.empty() || letter_of(node) == nullptr ||
@@ -157,7 +157,7 @@ private:
     float em() const { return font().FontSize; }
     float axis() const { return kAxis * em(); }
     Typesetter smaller() const { return {fonts_, false, true}; }
-    /// For what stands in a fraction.
+    /// For the parts of a fraction.
     Typesetter part() const { return {fonts_, false, small_ || !display_}; }
 
     Formula node(const math::Node& node) const {
@@ -185,8 +185,8 @@ private:
         return laid;
     }
 
-    /// How much lower a subscript has to be so that the superscript above it is not printed over: scripts of
-    /// small formulas are hardly smaller than their letters.
+    /// How much lower a subscript must be so that it does not overlap the superscript: scripts of small
+    /// formulas are hardly smaller than their letters.
     float room_between(const math::Node& node, float raise, float lower) const {
         if (node.below.empty() || node.above.empty()) { return 0.0F; }
         const float foot = smaller().row(node.above).descent - raise;
@@ -197,7 +197,7 @@ private:
     float put_superscript(Formula& laid, const math::Row& above, float x, float down, Ink ink) const {
         std::size_t primes = 0;
         while (primes < above.size() && is_sign(above[primes], "′")) { ++primes; }
-        // a prime is high already: it stands beside its letter at full size
+        // a prime is already high in its font: it is put beside its letter at full size
         for (std::size_t k = 0; k < primes; ++k) {
             const Formula prime = glyph_formula(font(), kPrime, ink);
             put_into(laid, prime, {x, down + std::round(kRaise * em())});
@@ -256,7 +256,7 @@ private:
         return accent_formula(font(), inner, mark_of(accent.kind), slanted, ink);
     }
 
-    /// Delimiters are as far above the axis as below it.
+    /// `inner` between delimiters, which reach as far above the axis as below it.
     Formula delimited(std::string_view open, const Formula& inner, std::string_view close) const {
         if (open.empty() && close.empty()) { return inner; }
         const float half = std::max(inner.ascent - axis(), inner.descent + axis()) + 0.05F * em();

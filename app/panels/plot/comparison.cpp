@@ -12,9 +12,9 @@ namespace jw::panels {
 
 namespace {
 
-constexpr float kLeastPlot = 6.0F;  // height worth drawing, in lines
+constexpr float kLeastPlot = 6.0F;  // least useful height, in lines
 
-/// The curves of the plot in the order of the rows, for their colours and marks.
+/// A pane with the curves in the order of the rows, which gives their colours and marks.
 PlotPane pane_of(const SeriesSet& set) {
     PlotPane pane;
     pane.series.resize(set.series.size());
@@ -50,7 +50,7 @@ ComparisonLayout draw_comparison(
     canvas.text({rest.x, rest.y}, small, theme::kSoft, std::string(parts.caption));
     cut_top(rest, line);
     layout.plot = layout_plot(canvas, rest, curves, state);
-    // curves that end on top of each other have their names in the table above
+    // curves without a name at their end have it in the table above
     for (PlotPane& drawn : layout.plot.panes) { drawn.unnamed = 0; }
     draw_plot(canvas, layout.plot, curves, state);
     return layout;

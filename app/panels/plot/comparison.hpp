@@ -6,29 +6,29 @@
 
 #include "app/panels/plot/plot.hpp"
 
-/// Ways side by side: a table with a row for each, what it says in a sentence, and a plot with a curve for
-/// each.
+/// Comparison of several methods: a table with a row for each, a sentence about the result, and a plot with a
+/// curve for each.
 namespace jw::panels {
 
 struct CurveStyle;
 
 struct ComparisonLayout {
     std::vector<Box> rows;  ///< of the table, for the mouse
-    PlotLayout plot;        ///< empty panes where there is no room for it
+    PlotLayout plot;        ///< without panes if there is no room for it
 };
 
-/// Parts in which one comparison differs from another.
+/// Parts in which comparisons differ.
 struct ComparisonParts {
     std::size_t rows = 0;
     std::function<void(const Box& line)> draw_names;  ///< of the columns
-    /// @param style of the row's curve, which it keeps while another one is hovered
+    /// @param style of the row's curve, also while another one is hovered
     std::function<void(const Box& line, std::size_t row, const CurveStyle& style)> draw_row;
     std::string_view summary;
     std::string_view caption;  ///< of the plot
 };
 
-/// Below a heading, which is the caller's.
-/// @param state  of the plot; the way that is hovered stands out in table and plot
+/// Draws a comparison below a heading, which the caller has drawn.
+/// @param state  of the plot; the hovered method is highlighted in table and plot
 ComparisonLayout draw_comparison(
     const Canvas& canvas, const Box& box, const SeriesSet& curves, const ComparisonParts& parts,
     const PlotState& state);

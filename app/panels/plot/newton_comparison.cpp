@@ -15,9 +15,9 @@ namespace jw::panels {
 
 namespace {
 
-constexpr float kRoomForTurns = 560.0F;  // width; narrower, the outcome needs it
+constexpr float kRoomForTurns = 560.0F;  // least width for them; below it, the outcome needs the room
 
-/// Right edges of the columns in parts of the width; names and outcomes are set from the left.
+/// Right edges of the columns in parts of the width; names and outcomes are left-aligned.
 struct Columns {
     float iterations = 0.41F;
     float phi = 0.57F;
@@ -36,7 +36,7 @@ Columns columns_of(const Canvas& canvas, const Box& row) {
     if (row.width < canvas.px(kRoomForTurns)) {
         const Columns usual;
         if (usual.phi - usual.iterations >= part(tr("last ‖Φ‖"))) { return usual; }
-        // large text in a narrow column: as wide as their numbers, the names get the rest
+        // large text in a narrow column: columns are as wide as their numbers, and the names get the rest
         Columns narrow;
         narrow.verdict = 1.0F - part(with_sign(true, tr("closed")).c_str());
         narrow.order = narrow.verdict - part(" ");

@@ -3,10 +3,10 @@
 #include "app/panels/plot/comparison.hpp"
 #include "app/session/benchmark/newton_comparison.hpp"
 
-/// Methods of Newton side by side: a table, and one plot of ‖Φ‖ over the iterations of all of them.
+/// Comparison of Newton's methods: a table, and one plot of ‖Φ‖ over the iterations of all of them.
 namespace jw::panels {
 
-/// @param state  of the plot; the method that is hovered stands out in table and plot
+/// @param state  of the plot; the hovered method is highlighted in table and plot
 ComparisonLayout newton_comparison_panel(
     const Canvas& canvas, const Box& box, const NewtonComparison& comparison, const PlotState& state);
 

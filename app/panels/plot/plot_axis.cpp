@@ -12,11 +12,11 @@ namespace jw::panels {
 namespace {
 
 constexpr double kMargin = 0.06;             // of the range, above and below the curves
-constexpr double kSlack = 1e-9;              // of a step: a tick at the very end of an axis is within it
-constexpr double kRelativeRounding = 1e-12;  // of the values: what is nearer than this is the same number
+constexpr double kSlack = 1e-9;              // of a step: ticks at the very end of an axis count
+constexpr double kRelativeRounding = 1e-12;  // of the values: closer numbers count as the same
 constexpr double kLargest = 1e300;           // margins must not overflow
 constexpr double kWidestPlain = 1e5;         // larger numbers are shown with a power of ten
-constexpr double kNarrowestPlain = 1e-3;     // as are smaller ones
+constexpr double kNarrowestPlain = 1e-3;     // and so are smaller ones
 
 /// Steps that divide a turn, in degrees.
 constexpr std::array kDegreeSteps{15.0, 30.0, 45.0, 90.0, 180.0, 360.0, 720.0, 1800.0, 3600.0};
@@ -30,7 +30,7 @@ double step_in_degrees(double length, int most) {
     return decimal;
 }
 
-/// So that the largest number has one to three figures before the point; 0 where it is handy as it is.
+/// Exponent with which the largest number has one to three figures before the point; 0 if it needs none.
 int handy_exponent(double largest) {
     if (largest == 0.0 || (largest < kWidestPlain && largest >= kNarrowestPlain)) { return 0; }
     return 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0 + kSlack));
@@ -55,7 +55,7 @@ TickMarks linear_ticks(const Axis& axis, int most, Ticks kind) {
     const double size = std::max(std::abs(range.from), std::abs(range.to));
     const int exponent = kind == Ticks::whole ? 0 : handy_exponent(size);
     TickMarks marks;
-    // one number alone does not tell what a length means
+    // with only one number, the scale of the axis cannot be read
     for (int steps = most; marks.ticks.size() < 2 && steps < most + 4; ++steps) {
         double step = kind == Ticks::degrees ? step_in_degrees(range.length(), steps)
                                              : nice_step(range.length(), steps);
@@ -65,7 +65,7 @@ TickMarks linear_ticks(const Axis& axis, int most, Ticks kind) {
     return marks;
 }
 
-/// 1, 2, 5 of every power of ten, with numbers as they are: for less than three powers.
+/// 1, 2 and 5 times every power of ten, as plain numbers: for less than three powers.
 std::vector<Tick> ticks_within_powers(const Range& range) {
     std::vector<Tick> ticks;
     const int low = static_cast<int>(std::floor(std::log10(range.from)));
@@ -86,7 +86,7 @@ TickMarks log_ticks(const Axis& axis, int most) {
     const int high = static_cast<int>(std::floor(std::log10(axis.range.to) + kSlack));
     if (high - low < 2) {
         std::vector<Tick> ticks = ticks_within_powers(axis.range);
-        // within less than a power of ten the scale is nearly an even one
+        // within less than a power of ten, the scale is nearly linear
         if (ticks.size() < 3) {
             Axis even = axis;
             even.logarithmic = false;
@@ -96,7 +96,7 @@ TickMarks log_ticks(const Axis& axis, int most) {
     }
     TickMarks marks;
     const int every = std::max(1, (high - low) / std::max(1, most) + 1);
-    // multiples of the distance: the same numbers whatever the range
+    // multiples of `every`, so that the numbers do not depend on the range
     for (int power = low; power <= high; ++power) {
         const bool named = ((power % every) + every) % every == 0 || high - low < every;
         if (named) { marks.ticks.push_back({std::pow(10.0, power), power_of_ten(power)}); }
@@ -114,7 +114,7 @@ float Axis::pixel(double value) const {
         part = std::log(value / range.from) / std::log(range.to / range.from);
         part = std::max(part, 0.0);
     }
-    // far outside the picture is far enough
+    // pixels far outside of the picture need not be exact
     constexpr double far = 1e6;
     return start + static_cast<float>(std::clamp(part * (end - start), -far, far));
 }
@@ -131,7 +131,7 @@ Axis axis_of_powers(const std::vector<double>& values, int low, float start, flo
         if (std::isfinite(value)) { largest = std::max(largest, value); }
     }
     int high = low + 2;
-    // a value just at a power of ten stays at it
+    // a value just above a power of ten, by rounding, does not need the next one
     if (largest > 0.0) { high = std::max(high, static_cast<int>(std::ceil(std::log10(largest) - kSlack))); }
     high = std::min(high, std::numeric_limits<double>::max_exponent10);
     return {{std::pow(10.0, low), std::pow(10.0, high)}, true, start, end};
@@ -173,7 +173,7 @@ Range range_around(const Range& values, double rounding) {
 }
 
 Range log_range_around(const Range& values) {
-    // at least a factor of two: less would be drawn as if it were much
+    // at least a factor of two, so that small differences do not look large
     const double factor = std::max(values.to / values.from, 2.0);
     const double middle = std::sqrt(values.from) * std::sqrt(values.to);
     const double half = std::pow(factor, 0.5 + kMargin);

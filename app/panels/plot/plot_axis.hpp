@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-/// Axes of plots: from values to pixels and back, and where to put numbers.
+/// Axes of plots: conversion between values and pixels, and places of numbers.
 namespace jw::panels {
 
 struct Range {
@@ -19,9 +19,9 @@ struct Axis {
     Range range;
     bool logarithmic = false;  ///< then range.from > 0
     float start = 0.0F;        ///< pixel of range.from
-    float end = 1.0F;          ///< pixel of range.to; smaller than `start` on an upright axis
+    float end = 1.0F;          ///< pixel of range.to; smaller than `start` on a vertical axis
 
-    /// On a logarithmic axis zero and less lie at `start`.
+    /// On a logarithmic axis, values of zero and below are at `start`.
     float pixel(double value) const;
     double value(float pixel) const;
 };
@@ -31,14 +31,14 @@ struct Tick {
     std::string text;  ///< empty: a line without a number
 };
 
-/// Whole powers of ten, from 10^low up to the largest of `values` or two powers more.
+/// Axis of whole powers of ten, from 10^low to the largest of `values`, but at least over two powers.
 Axis axis_of_powers(const std::vector<double>& values, int low, float start, float end);
 
 /// Kind of numbers that a plot may show on an axis.
 enum class Ticks {
     decimal,  ///< steps of 1, 2, 5
-    degrees,  ///< 15, 30, 45, 90 ... where steps are large enough
-    whole,    ///< no fractions
+    degrees,  ///< steps of 15, 30, 45, 90 ... if they are large enough
+    whole,    ///< whole numbers only
 };
 
 struct TickMarks {
@@ -46,7 +46,7 @@ struct TickMarks {
     int exponent = 0;  ///< numbers are shown divided by 10 to this power
 };
 
-/// Round numbers within the range, at most `most` of them and at least two where the range allows it.
+/// Round numbers within the range, at most `most`, and at least two if possible.
 TickMarks ticks_of(const Axis& axis, int most, Ticks kind = Ticks::decimal);
 
 /// The smallest of 1, 2, 5 times a power of ten that divides `length` into at most `most` steps.
@@ -55,8 +55,8 @@ double nice_step(double length, int most);
 /// "10⁻³"
 std::string power_of_ten(int exponent);
 
-/// Around `values` with a margin, so that curves do not run along the edge. A range no longer than `rounding`
-/// counts as constant and gets room on both sides.
+/// Range around `values` with a margin, so that curves do not run along the edge. Values whose range is not
+/// longer than `rounding` count as constant, and get room on both sides.
 Range range_around(const Range& values, double rounding);
 /// Range around values on a logarithmic scale; `values.from` > 0.
 Range log_range_around(const Range& values);

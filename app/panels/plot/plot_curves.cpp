@@ -10,13 +10,13 @@ namespace jw::panels {
 
 namespace {
 
-/// Dark enough for a thin line on paper; neighbours differ in brightness too.
+/// Colours that are dark enough for a thin line on paper; neighbours also differ in brightness.
 constexpr std::array kCurveColours{theme::palette::kVectorI,  theme::palette::kVectorJ,
                                    theme::palette::kVectorD,  render::from_hex(0x8E4585),
                                    theme::palette::kInk,      render::from_hex(0x8A5A00),
                                    render::from_hex(0x3F8FC4)};
 
-// lengths of dashes and gaps in turn, at 720; a curve without is solid
+// alternating lengths of dashes and gaps, at 720; a curve without them is solid
 constexpr std::array<float, 2> kDashes{8.0F, 4.0F};
 constexpr std::array<float, 4> kDashDot{10.0F, 3.0F, 2.5F, 3.0F};
 constexpr std::array<float, 2> kDots{2.5F, 3.0F};
@@ -27,7 +27,7 @@ constexpr int kLimitPattern = 4;
 
 constexpr int kMarks = 6;
 
-/// Walks along a curve with the pen down and up in turn.
+/// Draws along a curve with the pen alternately down and up.
 class Pen {
 public:
     Pen(const Canvas& canvas, const Box& clip, const CurveStyle& style)
@@ -63,7 +63,7 @@ private:
     void line(Point from, Point to) const {
         const auto part = clipped(from, to, clip_);
         if (!part) { return; }
-        // ImGui draws lines from the middle of pixels
+        // ImGui draws lines from the centres of pixels
         const auto [a, b] = *part;
         canvas_.line({a.x - 0.5F, a.y - 0.5F}, {b.x - 0.5F, b.y - 0.5F}, colour_, width_);
     }
@@ -112,7 +112,7 @@ private:
     Point first_, low_, high_, last_;
 };
 
-/// An open or filled figure of three or four corners.
+/// Draws an open or filled figure with three or four corners.
 void draw_corners(const Canvas& canvas, std::span<const Point> corners, const CurveStyle& style) {
     const float width = std::max(1.0F, 1.4F * canvas.fonts().scale);
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -165,7 +165,7 @@ std::vector<std::vector<Point>> curve_of(
     const PlotLayout& layout, const PlotPane& pane, const SeriesSet& set, int series) {
     std::vector<std::vector<Point>> runs(1);
     const PointSpan span = visible_points(set, layout.x.range);
-    // a point more on each side: lines lead out of the window
+    // one more point on each side, because lines continue out of the window
     const int first = std::max(0, span.first - 1);
     const int last = std::min(static_cast<int>(set.at.size()) - 1, span.last + 1);
     Column column;

@@ -13,8 +13,8 @@ namespace jw::panels {
 
 namespace {
 
-constexpr float kWidestName = 0.3F;  // of the box; longer ones are shortened
-constexpr float kShortName = 56.0F;  // of a name that has hardly any room
+constexpr float kWidestName = 0.3F;  // part of the width of the box; wider names are shortened
+constexpr float kShortName = 56.0F;  // width of a name with very little room
 constexpr float kNameGap = 14.0F;    // from the end of a curve to its name
 
 struct End {
@@ -29,7 +29,7 @@ Point pixel_of(const PlotLayout& layout, const PlotPane& pane, const SeriesSet& 
         std::clamp(y, pane.plot.y, pane.plot.bottom())};
 }
 
-/// Names differ at both ends: "coupler.r_dot.x" becomes "coup…ot.x".
+/// Shortens a name in the middle, because names differ at both ends: "coupler.r_dot.x" becomes "coup…ot.x".
 std::string shortened_within(const ImFont& font, const std::string& name, float width) {
     std::u32string points = from_utf8(name);
     std::string text = name;
@@ -45,7 +45,7 @@ std::string shown_value(const Series& series, double value) {
     return std::abs(value) <= series.rounding ? "0" : number_text(value);
 }
 
-/// The first `most` of `ends`, the one that stands out among them in any case; from top to bottom.
+/// The first `most` of `ends`, always including the highlighted one, from top to bottom.
 std::vector<End> from_top(std::vector<End> ends, std::size_t most, int hovered) {
     const auto out = std::ranges::find(ends, hovered, &End::series);
     if (out != ends.end()) { std::rotate(ends.begin(), out, out + 1); }
@@ -54,7 +54,7 @@ std::vector<End> from_top(std::vector<End> ends, std::size_t most, int hovered) 
     return ends;
 }
 
-/// Lines of text beside what they name, one below the other.
+/// Lines of text beside the points that they name, one below the other.
 std::vector<PlotLabel> column_of_labels(
     const Canvas& canvas, const std::vector<End>& ends, const Box& column, auto&& text_of) {
     const ImFont* const small = canvas.fonts().small;
@@ -72,7 +72,7 @@ std::vector<PlotLabel> column_of_labels(
     return labels;
 }
 
-/// A little more than the plot is high: a name may reach over its ends by half a line.
+/// Column for names beside a plot. It is a little higher: a name may extend beyond the plot by half a line.
 Box column_beside(const Canvas& canvas, const PlotPane& pane, float left, float width) {
     const float half = 0.5F * canvas.line_height(canvas.fonts().small);
     return {left, pane.plot.y - half, width, pane.plot.height + 2.0F * half};
@@ -90,7 +90,7 @@ bool runs_through(const std::vector<Point>& run, const Box& box) {
     return false;
 }
 
-/// Places for a name around the end of a curve, the best first.
+/// Places for a name around the end of a curve, the best one first.
 std::array<Point, 6> corners_around(Point at, float width, float line, float gap) {
     return {{
         {at.x + gap, at.y - 0.5F * line},
@@ -102,8 +102,8 @@ std::array<Point, 6> corners_around(Point at, float width, float line, float gap
     }};
 }
 
-/// Beside the end of a curve that ends before the others do, where neither a curve nor a name is; shortened
-/// where the whole name has no room.
+/// Places the name of a curve that ends before the others beside its end, where neither a curve nor a name
+/// is; shortens it if the whole name has no room.
 void place_within(
     const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, const End& end,
     const std::vector<std::vector<Point>>& curves, PlotPane& pane) {
@@ -128,7 +128,7 @@ void place_within(
     ++pane.unnamed;
 }
 
-/// The name of the only curve in the line above it, before the unit.
+/// Places the name of the only curve in the line above it, before the unit.
 void place_title(const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, PlotPane& pane) {
     const ImFont* const small = canvas.fonts().small;
     const int series = pane.series.front();
@@ -198,8 +198,8 @@ float name_column_width(
 }
 
 std::vector<float> spread_lines(std::vector<float> wished, float height, float top, float bottom) {
-    // without its own lines' heights the order is all that is asked of each: the nearest ascending sequence
-    // is that of averages over neighbours that would be in the wrong order
+    // after subtraction of the line heights, the tops only have to ascend. The nearest ascending sequence is
+    // found by averaging neighbours that are in the wrong order
     struct Block {
         double sum = 0.0;
         int count = 0;
@@ -252,7 +252,7 @@ void place_labels(
         for (const int s : pane.series) {
             for (auto& run : curve_of(layout, pane, set, s)) { curves.push_back(std::move(run)); }
         }
-        // the one that stands out has its name first
+        // the highlighted curve gets its name first
         std::ranges::stable_partition(within, [&](const End& end) { return end.series == state.hovered; });
         for (const End& end : within) { place_within(canvas, layout, set, end, curves, pane); }
     }

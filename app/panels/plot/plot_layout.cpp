@@ -14,14 +14,14 @@ namespace {
 
 constexpr float kTickLength = 4.0F;
 constexpr float kNumberGap = 4.0F;     // between a number and its tick
-constexpr float kLeastPane = 3.2F;     // height of the smallest plot worth drawing, in lines
-constexpr float kTickDistance = 2.1F;  // between numbers of an upright axis, in lines
+constexpr float kLeastPane = 3.2F;     // height of the smallest useful plot, in lines
+constexpr float kTickDistance = 2.1F;  // between numbers of a vertical axis, in lines
 constexpr float kTickWidth = 66.0F;    // room for a number of the lower axis
-constexpr float kLongName = 0.22F;     // of the width: a single curve's name stands above it
+constexpr float kLongName = 0.22F;     // part of the width: the longer name of a single curve is above it
 
 bool is_time(const SeriesSet& set) { return set.axis.find('[') != std::string::npos; }
 
-/// "deg/s²" as it is written in a picture.
+/// A unit such as "deg/s²" as it is written in a picture.
 std::string shown_unit(const std::string& unit) {
     if (unit == "-") { return {}; }
     return unit.starts_with("deg") ? "°" + unit.substr(3) : unit;
@@ -33,7 +33,7 @@ std::string caption_of(const std::string& unit, int exponent) {
     return tr("in {0}", power_of_ten(exponent) + (shown.empty() ? "" : " " + shown));
 }
 
-/// Above the curves of a pane: its caption, or just room for half a number.
+/// Height above the curves of a pane: for its caption, or only for half a number.
 float caption_height(const Canvas& canvas, const PlotPane& pane) {
     const float line = canvas.line_height(canvas.fonts().small);
     return pane.unit == "-" && !pane.titled ? 0.6F * line : line + canvas.px(3.0F);
@@ -54,7 +54,7 @@ std::vector<PlotPane> panes_of(const SeriesSet& set, const std::vector<int>& sho
     return panes;
 }
 
-/// Values that a logarithmic axis has no place for.
+/// True if a logarithmic axis has values of zero or below, for which it has no place.
 bool has_zeros(const SeriesSet& set, const PlotPane& pane, const PointSpan& span) {
     if (!set.logarithmic) { return false; }
     for (const int s : pane.series) {
@@ -65,7 +65,7 @@ bool has_zeros(const SeriesSet& set, const PlotPane& pane, const PointSpan& span
     return false;
 }
 
-/// Range of the values in sight; nothing if there are none.
+/// Range of the visible values; nothing if there are none.
 std::optional<Range> range_of(const SeriesSet& set, const PlotPane& pane, const PointSpan& span) {
     Range found{HUGE_VAL, -HUGE_VAL};
     double rounding = 0.0;
@@ -97,7 +97,7 @@ void set_values_axis(
     const float line = canvas.line_height(canvas.fonts().small);
     const int most = static_cast<int>(pane.plot.height / (kTickDistance * line));
     pane.ticks = ticks_of(pane.y, std::max(2, most), pane.unit == "deg" ? Ticks::degrees : Ticks::decimal);
-    // zeros lie at the lower end of a logarithmic axis, and the plot says so
+    // zeros are at the lower end of a logarithmic axis, which is labelled 0
     const bool room =
         pane.ticks.ticks.empty() || pane.y.start - pane.y.pixel(pane.ticks.ticks.front().at) > 0.9F * line;
     if (has_zeros(set, pane, span) && room) {
@@ -112,7 +112,7 @@ bool has_long_name(const Canvas& canvas, const Box& box, const SeriesSet& set, c
     return canvas.text_width(canvas.fonts().small, only.name) > kLongName * box.width;
 }
 
-/// Stacks panes in `rest`, which ends where the curves do; those that have no height go.
+/// Stacks panes in `rest`, at whose foot the curves end. Panes without room are left out.
 void stack_panes(const Canvas& canvas, Box rest, PlotLayout& layout) {
     const float line = canvas.line_height(canvas.fonts().small);
     const float least = (kLeastPane + 1.0F) * line;
@@ -161,7 +161,7 @@ Range window_of(const SeriesSet& set, const PlotState& state) {
     const double from = set.at.front();
     const double to = set.at.back();
     if (to > from) { return {from, to}; }
-    return {from - 0.5, from + 0.5};  // a single point stands in the middle
+    return {from - 0.5, from + 0.5};  // a single point is in the middle
 }
 
 }  // namespace
@@ -194,7 +194,7 @@ PlotLayout layout_plot(const Canvas& canvas, const Box& box, const SeriesSet& se
     const PointSpan span = visible_points(set, window);
     layout.x.range = window;
 
-    // heights first: how many numbers an axis has, and so how wide they are, depends on them
+    // heights first: they determine how many numbers an axis has, and so how wide these are
     const int rows = rows_of_marks(canvas, box, set);
     for (PlotPane& pane : layout.panes) { pane.titled = has_long_name(canvas, box, set, pane); }
     Box rest = box;

@@ -17,7 +17,7 @@ constexpr float kGapOfNames = 8.0F;  // between names
 constexpr float kCloseMarks = 16.0F;
 constexpr std::size_t kFewestInStretch = 4;
 
-/// Number of marks from the `first` on that would bury the curves: of one kind, each close to the next.
+/// Number of marks, from `first` on, that would hide the curves: marks of one kind, each close to the next.
 std::size_t crowd_from(
     const Canvas& canvas, const PlotLayout& layout, const std::vector<Mark>& marks, std::size_t first) {
     std::size_t next = first + 1;
@@ -30,7 +30,7 @@ std::size_t crowd_from(
     return next - first >= kFewestInStretch ? next - first : 1;
 }
 
-/// The marks in sight; where many of a kind are close together, one stretch for all of them.
+/// The visible marks. Many marks of a kind that are close together become one stretch.
 std::vector<PlotMark> thinned_out(
     const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, bool brief) {
     std::vector<Mark> seen;
@@ -51,7 +51,7 @@ std::vector<PlotMark> thinned_out(
     return marks;
 }
 
-/// The lowest row in which `mark` has room between those that are placed.
+/// Places `mark` in the lowest row in which it has room between the placed ones. @return false if none has
 bool find_place(const Canvas& canvas, const Box& strip, int rows, std::vector<Box>& placed, PlotMark& mark) {
     const ImFont* const small = canvas.fonts().small;
     const float line = canvas.line_height(small);
@@ -84,13 +84,13 @@ int rows_of_marks(const Canvas& canvas, const Box& box, const SeriesSet& set) {
 void place_marks(const Canvas& canvas, const SeriesSet& set, int rows, PlotLayout& layout) {
     const Box& plot = layout.panes.front().plot;
     const Box strip{plot.x, layout.box.y, plot.width, 0.0F};
-    // all texts in full, or all of them brief
+    // all texts in full, or all of them in their brief form
     for (const bool brief : {false, true}) {
         layout.marks = thinned_out(canvas, layout, set, brief);
         std::vector<PlotMark*> order;
         for (PlotMark& mark : layout.marks) { order.push_back(&mark); }
         if (layout.cursor) {
-            // the one that the cursor stands at has its name in any case
+            // the mark at the cursor always has its text
             std::ranges::stable_sort(order, {}, [&](const PlotMark* mark) {
                 return std::max({mark->x - *layout.cursor, *layout.cursor - mark->end, 0.0F});
             });

@@ -22,14 +22,14 @@ void set_height(PlotState& state, const std::string& unit, const Range& range) {
     }
 }
 
-/// Nearer than this numbers of the axis could no longer be told apart.
+/// False for a range so short that the numbers of the axis could not be distinguished, or too large.
 bool is_sound(const Range& range) {
     const double size = std::max(std::abs(range.from), std::abs(range.to));
     return std::isfinite(range.from) && std::isfinite(range.to) && range.length() > 1e-9 * size &&
            size < 1e300;
 }
 
-/// Range between two pixels of an axis, if it is one to look at.
+/// Range between two pixels of an axis, if it is usable; else the range of the axis.
 Range between(const Axis& axis, float from, float to) {
     const double a = axis.value(from);
     const double b = axis.value(to);

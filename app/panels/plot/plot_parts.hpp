@@ -5,7 +5,7 @@
 
 #include "app/panels/plot/plot.hpp"
 
-/// Parts shared by the files of the plot; used by them and their tests only.
+/// Parts shared by the files of the plot; only for them and their tests.
 namespace jw::panels {
 
 /// First and last point of the set within the window of the axis; first > last if there are none.
@@ -30,22 +30,22 @@ float name_column_width(
     const Canvas& canvas, const Box& box, const SeriesSet& set, const std::vector<int>& series,
     const PointSpan& span);
 
-/// Tops of lines of equal height, as near as can be to where each is wished (ascending) without overlaps,
-/// between `top` and `bottom`, where all of them must have room.
+/// Tops of lines of equal height between `top` and `bottom`, without overlaps and as near as possible to the
+/// wished tops, which ascend. All lines must have room.
 std::vector<float> spread_lines(std::vector<float> wished, float height, float top, float bottom);
 
-/// Lines above the curves in which marks have their names: two where one would be crowded.
+/// Number of lines above the curves for the texts of marks: two if one would be crowded.
 int rows_of_marks(const Canvas& canvas, const Box& box, const SeriesSet& set);
-/// Once the axis and the cursor have their places.
+/// Places the marks; the axis and the cursor must have their places.
 void place_marks(const Canvas& canvas, const SeriesSet& set, int rows, PlotLayout& layout);
 
-/// Names at the ends of curves and, where there is a cursor, values at it.
+/// Places names at the ends of curves and, if there is a cursor, the values at it.
 void place_labels(
     const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, const PlotState& state,
     const PointSpan& span, PlotPane& pane);
 
-/// Style that distinguishes a curve from the others, by its place among them: colour, dashes and marks repeat
-/// with different periods.
+/// Style of a curve, from its place among the curves. Colour, dashes and marks repeat with different periods,
+/// so that curves can be distinguished.
 struct CurveStyle {
     Colour colour;
     int dashes = 0;
@@ -55,7 +55,7 @@ struct CurveStyle {
 };
 CurveStyle style_of(const PlotPane& pane, std::size_t place, const SeriesSet& set, const PlotState& state);
 
-/// The part of a line within a box, by Liang and Barsky; empty if none is.
+/// The part of a line within a box, by Liang and Barsky; empty if there is none.
 std::optional<std::array<Point, 2>> clipped(Point a, Point b, const Box& box);
 
 void draw_curve(

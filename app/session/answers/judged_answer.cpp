@@ -21,7 +21,7 @@ std::string without_blanks(const std::string& text) {
     return kept;
 }
 
-/// A number, a fraction of two, with or without the unit behind it.
+/// A number or a fraction of two numbers, with or without the unit after it.
 std::optional<double> typed_number(std::string text, const std::string& unit) {
     text = without_blanks(text);
     const std::string plain_unit = without_blanks(unit);
@@ -105,7 +105,7 @@ GivenAnswer judge_thing(
     return judged;
 }
 
-/// Seven numbers, apart by blanks, commas or semicolons.
+/// Seven numbers, separated by blanks, commas or semicolons.
 std::optional<BodyPose> typed_pose(std::string text) {
     std::ranges::replace_if(
         text, [](char c) { return c == ',' || c == ';'; }, ' ');
@@ -119,7 +119,7 @@ std::optional<BodyPose> typed_pose(std::string text) {
     if (numbers.size() != 7) { return std::nullopt; }
     BodyPose pose{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5], numbers[6]}};
     const double length = pose.p.norm();
-    // typed with a few digits it is unit up to some per cent
+    // a p that was typed with a few digits has length 1 only to a few per cent
     if (!(length > 0.5) || !(length < 2.0)) { return std::nullopt; }
     pose.p /= length;
     return pose;

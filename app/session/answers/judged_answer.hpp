@@ -5,16 +5,16 @@
 #include "app/session/answers/question_view.hpp"
 #include "app/session/answers/right_answer.hpp"
 
-/// What somebody answered to a question of a lesson.
+/// Judges answers to the questions of a lesson.
 namespace jw {
 
 struct GivenAnswer {
     bool understood = false;
     bool right = false;
-    std::string note;  ///< "You said 3.", or why it was not understood
+    std::string note;  ///< "You said 3.", or why the answer was not understood
 };
 
-/// @param given  the number of a choice from 1 (or its beginning); a number with or without its unit, such as
+/// @param given  the number of a choice, from 1, or the beginning of its text; a number with or without unit:
 ///   "30", "30 deg", "1/3"; the name of a thing; the seven coordinates of a pose (pose_text)
 GivenAnswer judge_answer(
     const QuestionView& view, const RightAnswer& right, const Mechanism& mechanism, const std::string& given);

@@ -14,7 +14,8 @@ namespace jw {
 
 namespace {
 
-// the answer is found anew whenever the lesson is changed: a scene that was made stiff or endless has none
+// the answer is computed again at every change of the lesson: a scene that was made stiff or endless has no
+// answer
 constexpr long kMostStepsOfAnswer = 100'000;
 
 RankReport report_of(const Step& step) {
@@ -60,7 +61,7 @@ double value_at(const QuantityAnswer& answer, const Instant& instant) {
         .derivatives[static_cast<std::size_t>(answer.derivative)];
 }
 
-/// By masses and forces, at exactly that time.
+/// The instant at exactly the time `t` of the motion by masses and forces.
 std::optional<Instant> instant_of_run(const Lesson& lesson, double t, double tolerance) {
     std::map<double, Instant> found;
     const RunLimits limits{tolerance, kMostStepsOfAnswer};
@@ -69,8 +70,8 @@ std::optional<Instant> instant_of_run(const Lesson& lesson, double t, double tol
     return found.rbegin()->second;
 }
 
-/// What `read` finds at a time of the motion; nothing where two runs by masses and forces of different
-/// tolerance do not agree as well as the answer has to.
+/// What `read` finds at a time of the motion. Nothing if two runs by masses and forces with different
+/// tolerances differ by more than the answer allows.
 template <class Read, class Agree>
 auto found_at(const Story& story, const AtTime& when, const Read& read, const Agree& agree)
     -> std::optional<decltype(read(Instant{}))> {
@@ -121,7 +122,7 @@ RightAnswer right_pose(const PoseAnswer& answer, const Story& story, const Step&
     return right;
 }
 
-/// The rows that p1 and p2 leave out: of the joint that the step adds, else of all.
+/// The rows that p1 and p2 leave out: those of the joint that the step adds, otherwise those of all joints.
 std::vector<Thing> dropped_rows(const Question& question, const Step& step) {
     const bool of_one =
         question.place == Question::Place::addition && question.addition.kind == Addition::Kind::joint;
@@ -133,8 +134,8 @@ std::vector<Thing> dropped_rows(const Question& question, const Step& step) {
     return rows;
 }
 
-/// Every row that takes part in a repetition: instead of the one that was found, each of the others could be
-/// left out. In the order of the system.
+/// Every row of a linear dependency, since each of them could be left out instead of the one that was found.
+/// In the order of the system.
 std::vector<Thing> redundant_rows(const Step& step, const RankReport& report) {
     std::vector<int> found;
     for (const RedundantRow& redundant : report.redundant_rows) {
@@ -161,7 +162,7 @@ RightAnswer right_things(const PointedAnswer& answer, const Question& question, 
         right.things = redundant_rows(step, report);
         right.known = report.decided;
     }
-    // without one no click is an answer
+    // without such a thing, no click can be right
     right.known = right.known && !right.things.empty();
     return right;
 }

@@ -14,7 +14,7 @@ struct BenchJob::Running {
               try {
                   measure_prices(
                       lesson, std::move(reference), plan, [this](const News& told) { take(told); }, stop);
-              } catch (const Stopped&) {}  // nobody waits for it
+              } catch (const Stopped&) {}  // nobody waits for the result
               return false;
           }) {}
 
@@ -27,7 +27,7 @@ struct BenchJob::Running {
     std::mutex mutex;
     News news;
     std::uint64_t version = 0;
-    Worker worker;  ///< last: it ends before what it writes into
+    Worker worker;  ///< last: it ends before the members that it writes to
 };
 
 BenchJob::BenchJob(Lesson lesson, std::optional<Reference> reference, BenchPlan plan)

@@ -5,11 +5,11 @@
 
 #include "app/session/benchmark/benchmark.hpp"
 
-/// A benchmark beside whatever else goes on.
+/// A benchmark in the background.
 namespace jw {
 
-/// Measures a lesson, one at a time: in a thread, or, in a page, in another copy of the program.
-/// Destroyed, it stops at once, or at the next sample of the run under way.
+/// Measures one lesson at a time: in a thread, or, in a web page, in another copy of the program. When it is
+/// destroyed, it stops at once, or at the next sample of the present run.
 class BenchJob {
 public:
     /// Results known so far.
@@ -21,13 +21,13 @@ public:
     };
 
     /// @param lesson     with a point whose path can be compared
-    /// @param reference  nothing: the lesson computes its own
+    /// @param reference  nothing: it is computed from the lesson
     BenchJob(Lesson lesson, std::optional<Reference> reference, BenchPlan plan);
     ~BenchJob();
     BenchJob(const BenchJob&) = delete;
     BenchJob& operator=(const BenchJob&) = delete;
 
-    /// Grows with everything that is new.
+    /// Grows whenever there are new results.
     std::uint64_t version() const;
     News news() const;
 
@@ -36,9 +36,9 @@ private:
     std::unique_ptr<Running> running_;
 };
 
-/// Receiver of the results known so far, whenever there are new ones.
+/// Receives the results so far, whenever there are new ones.
 using TellNews = std::function<void(const BenchJob::News&)>;
-/// Measures a lesson here and now, and tells what is known after every point; a failure is news, too.
+/// Measures a lesson in this thread, and reports the results after every point. A failure is reported, too.
 /// @throws Stopped if `stop` asks for it
 void measure_prices(
     const Lesson& lesson, std::optional<Reference> reference, const BenchPlan& plan, const TellNews& tell,

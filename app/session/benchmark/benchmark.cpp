@@ -20,18 +20,18 @@ namespace {
 constexpr double kTooLong = 5.0;
 constexpr long kMostSteps = 4'000'000;  // the finest fixed step of a sweep takes 3.3 million
 
-// so many grains of the clock are told apart from one more to 5 %
+// a time of this many ticks of the clock is measured to 5 %
 constexpr double kGrains = 20.0;
 
-/// Processor time of this thread [s], so that a window running beside it does not count.
+/// Processor time of this thread [s], so that a window running at the same time does not count.
 double cpu_seconds() {
     timespec now{};
-    // a browser tells no time of the processor; the copy of the page that measures does nothing else
+    // a browser does not report processor time; the copy of the page that measures does nothing else
     if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) { clock_gettime(CLOCK_MONOTONIC, &now); }
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Smallest difference of the clock that was seen [s]: 1e-7 here, up to 1e-3 in a browser.
+/// Smallest step of the clock that was observed [s]: 1e-7 here, up to 1e-3 in a browser.
 double grain_of_clock() {
     static const double grain = [] {
         double least = 1.0;
@@ -46,7 +46,7 @@ double grain_of_clock() {
     return grain;
 }
 
-/// Energy is kept where nothing but gravity and springs acts.
+/// True if energy is conserved: only gravity and springs act.
 bool keeps_energy(const Lesson& lesson) {
     const Loads& loads = lesson.dynamics->loads;
     const auto damped = [](const auto& spring) { return spring.damping != 0.0; };
@@ -54,7 +54,7 @@ bool keeps_energy(const Lesson& lesson) {
            loads.rotational_springs.empty() && lesson.mechanism.drivers.empty();
 }
 
-/// The last four settings brought no digit more, though it is not for want of steps.
+/// True if the last four settings have not halved an error below 1e-8: more steps do not help any more.
 bool stands_still(const std::vector<BenchPoint>& points) {
     constexpr std::size_t looked_back = 4;
     if (points.size() <= looked_back) { return false; }
@@ -76,7 +76,7 @@ std::vector<double> settings_of(Method method, double duration) {
     return settings;
 }
 
-/// States of a run at the reference's times; errors are looked at when the clock has stopped.
+/// States of a run at the reference's times; errors are computed after the clock has stopped.
 struct Recorded {
     std::vector<std::vector<double>> states;
     SimulationOutcome outcome;
@@ -114,7 +114,7 @@ BenchPoint bench_point(
     point.setting = settings.tolerance;
     const Recorded first = record(lesson, settings, reference.times, stop);
     point.counts = first.outcome.counts;
-    // shorter ones are measured several at once
+    // shorter runs are repeated and measured together
     const double shortest = kGrains * grain_of_clock();
     if (first.cpu >= shortest) { point.cpu = first.cpu; }
     for (double spent = first.cpu; spent < least_time || !(point.cpu > 0.0);) {
@@ -228,7 +228,7 @@ std::vector<BenchRun> bench_dynamics(
             settings.most_steps = kMostSteps;
             run.points.push_back(bench_point(lesson, settings, reference, plan.least_time, watch.stop));
             watch.seen(runs);
-            // tighter ones would take longer still, and where rounding has been reached they are no better
+            // tighter settings take even longer, and once rounding is reached they are not more accurate
             if (run.points.back().cpu > kTooLong || stands_still(run.points)) { break; }
         }
     }

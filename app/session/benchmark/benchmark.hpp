@@ -10,45 +10,46 @@
 
 #include "app/session/story/dynamics_run.hpp"
 
-/// Speed against error: what a digit costs, method by method.
+/// Speed against error: the cost of a digit, method by method.
 namespace jw {
 
 /// Value of an error or a time that is not known.
 inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
-/// Positions of a lesson's point at equal times from 0 to its duration, known beforehand.
+/// Known positions of a lesson's point at equal intervals from 0 to its duration.
 struct Reference {
     std::string origin;            ///< one sentence: how it was computed
     std::vector<double> times;     ///< [s]
     std::vector<Vec3> positions;   ///< [m]
     std::vector<Vec3> velocities;  ///< [m/s]; may be empty
 };
-/// The stored reference of a shipped lesson, lessons/reference/NAME.csv; nothing if there is none, or the
-/// file is not one of those shipped: a copy may have been changed.
-/// @throws std::runtime_error if a row of it does not hold seven numbers
+/// The stored reference of a shipped lesson, lessons/reference/NAME.csv. Nothing if there is none, or if the
+/// file is not a shipped one: a copy may have been changed.
+/// @throws std::runtime_error if one of its rows does not have seven numbers
 std::optional<Reference> stored_reference(const std::filesystem::path& lesson_file);
-/// Computes a reference in two ways that no method of the race uses: the equations of the bodies,
-/// extrapolated, and the dense equations of the slides (for more than 20 bodies those of the bodies again, by
-/// another integrator). `origin` says which, and to how many digits the two agree, or why there is only one.
+/// Computes a reference in two ways that none of the compared methods uses: the equations of the bodies,
+/// extrapolated, and the dense equations of the slides (for more than 20 bodies, the equations of the bodies
+/// by another integrator). `origin` says which way is used, and to how many digits the two agree, or why
+/// there is only one.
 /// @throws Stopped if `stop` asks for it; std::runtime_error if both end early
 Reference own_reference(const Lesson& lesson, const std::stop_token& stop = {});
 
-/// Exception of a run that was asked to stop.
+/// Thrown by a run that was asked to stop.
 struct Stopped {};
 
 /// The largest errors of a trajectory so far.
 class TrajectoryErrors {
 public:
-    /// Lesson (one with a point) and reference must outlive this.
+    /// The lesson, which has a point, and the reference must outlive this.
     TrajectoryErrors(const Lesson& lesson, const Reference& reference);
 
-    /// The state (flat) at the k-th time of the reference.
+    /// Compares the flat state at the k-th time of the reference.
     void look_at(std::size_t k, const std::vector<double>& y);
 
     double position() const { return position_; }    ///< of the lesson's point [m]
     double velocity() const { return velocity_; }    ///< likewise [m/s]; 0 where the reference has none
-    double violation() const { return violation_; }  ///< |Φ| by the size of its equation
-    /// Change of energy, by the largest kinetic energy; NaN where nothing moves.
+    double violation() const { return violation_; }  ///< |Φ| relative to the size of its equation
+    /// Change of energy, relative to the largest kinetic energy; NaN where nothing moves.
     double energy() const { return change_ / largest_kinetic_; }
 
 private:
@@ -66,11 +67,11 @@ private:
 /// One run.
 struct BenchPoint {
     double setting = 0.0;    ///< tolerance or step [s]
-    double cpu = 0.0;        ///< [s], the least of several runs
+    double cpu = 0.0;        ///< [s], the shortest of several runs
     double position = 0.0;   ///< largest distance from the reference [m]; NaN: the run failed
     double velocity = 0.0;   ///< likewise [m/s]; NaN where the reference has none
-    double energy = 0.0;     ///< largest change by the largest kinetic energy; NaN where energy is not kept
-    double violation = 0.0;  ///< largest |Φ|, by the size of its equation; NaN: the run failed
+    double energy = 0.0;     ///< largest change / largest kinetic energy; NaN where energy is not kept
+    double violation = 0.0;  ///< largest |Φ|, relative to the size of its equation; NaN: the run failed
     IntegrationCounts counts;
     std::string failure;
 };
@@ -81,7 +82,7 @@ struct BenchRun {
     Treatment treatment = Treatment::projection;
     std::vector<BenchPoint> points;  ///< from the loosest to the tightest setting
 
-    /// Least time of a run whose position error is at most `error` [s].
+    /// Shortest time of a run whose position error is at most `error` [s].
     std::optional<double> time_to(double error) const;
 };
 
@@ -94,9 +95,9 @@ struct BenchPlan {
 
 /// Observer of a running sweep.
 struct BenchWatch {
-    /// All runs so far, the last one unfinished; after every point.
+    /// Called after every point with all runs so far; the last one is not finished.
     std::function<void(const std::vector<BenchRun>&)> seen = [](const std::vector<BenchRun>&) {};
-    std::stop_token stop;  ///< obeyed at the next sample of the run under way
+    std::stop_token stop;  ///< stops at the next sample of the present run
 };
 
 /// The sweep of one lesson by all methods of the plan.

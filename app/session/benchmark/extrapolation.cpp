@@ -22,7 +22,7 @@ public:
     Extrapolation(MotionEquations& equations, double tolerance)
         : equations_(equations), tolerance_(tolerance), slope_(static_cast<std::size_t>(equations.size())) {}
 
-    /// One step of length h. @return its error by the tolerance, not finite where it failed
+    /// One step of length h. @return its error relative to the tolerance; not finite if the step failed
     double step(double t, double h, Numbers& y) {
         Numbers first(y.size());
         equations_.evaluate(t, y.data(), first.data());
@@ -50,8 +50,8 @@ public:
     }
 
 private:
-    /// Change of y over `count` midpoint steps (an even number). Changes are smaller than y, and so is their
-    /// rounding.
+    /// Change of y over `count` midpoint steps (an even number). Changes are smaller than y, and so is the
+    /// rounding error.
     Numbers midpoint_rule(double t, double h, const Numbers& y, const Numbers& first, int count) {
         const double small = h / count;
         Numbers before(y.size(), 0.0);

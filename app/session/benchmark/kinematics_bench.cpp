@@ -33,7 +33,7 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Newton's tolerance costs digits near singular poses: one step more.
+/// One Newton step more: near singular poses, Newton's tolerance costs digits.
 BenchInstant corrected(Kinematics<OmegaLocal>& kinematics, const MotionFrame& frame) {
     kinematics.set_state(frame.state, frame.t);
     const State state = frame.change_point ? frame.state : kinematics.corrected_state();
@@ -133,7 +133,7 @@ KinematicsRun dense(System system, const std::vector<BenchInstant>& moments) {
     return run;
 }
 
-/// Kinematics as the program follows a motion, with all checks on the way.
+/// Kinematics as the program computes it along a motion, with all checks.
 KinematicsRun by_graph(System system, const std::vector<BenchInstant>& moments) {
     const Errors errors(system, moments);
     KinematicsRun run;

@@ -15,7 +15,7 @@ struct NewtonRun {
     std::vector<double> phi_norms;  ///< ‖Φ‖ before the first step and after each; the last is the outcome
     std::optional<double> order;    ///< measured order of convergence, 2 for quadratic
     bool converged = false;         ///< Φ = 0 was reached
-    bool wrong_branch = false;      ///< reached, but at another branch than was meant
+    bool wrong_branch = false;      ///< reached, but on another branch than intended
     std::vector<double> turns_deg;  ///< largest turn of a body in each step; may be empty
 };
 
@@ -31,8 +31,8 @@ struct NewtonRunRow {
 
 struct NewtonComparison {
     std::vector<NewtonRunRow> rows;
-    SeriesSet residuals;  ///< ‖Φ‖ over iterations, one series a method, logarithmic; steps are the iterations
-    std::string summary;  ///< one sentence: who was first, who failed
+    SeriesSet residuals;  ///< ‖Φ‖ over iterations, logarithmic, a series per method; steps are the iterations
+    std::string summary;  ///< one sentence: which method was first, which failed
 };
 
 NewtonComparison compare(const std::vector<NewtonRun>& runs);

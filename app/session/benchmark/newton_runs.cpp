@@ -50,7 +50,7 @@ std::string table_text(const NewtonComparison& comparison) {
         table, {{false, 22, 2}, {true, 10, 0}, {true, 10, 0}, {true, 8, 0}, {true, 10, 0}, {false, 0, 2}});
 }
 
-/// ‖Φ‖ before the first step and after each, a column per way.
+/// ‖Φ‖ before the first step and after each, one column per way.
 std::string iterates_text(const NewtonRuns& runs) {
     TextRows table{{"‖Φ‖"}};
     table.front().insert(table.front().end(), runs.names.begin(), runs.names.end());
@@ -93,7 +93,7 @@ Json json_of(const NewtonTrace& trace, const std::string& name, const std::strin
 int start_of_telling_closing(const Story& story) {
     const auto iterates = [](const PositionEvent& event) {
         const auto* const newton = std::get_if<NewtonStep>(&event);
-        return newton != nullptr && newton->rank > 0;  // else the last look: closed, or given up
+        return newton != nullptr && newton->rank > 0;  // otherwise the last check: closed, or given up
     };
     const auto is_branch = [](const PositionEvent& event) {
         return std::holds_alternative<WrongBranch>(event);

@@ -8,15 +8,15 @@
 #include "core/poses/newton_methods.hpp"
 #include "lessons/enum_words.hpp"
 
-/// Newton's method from one start of a story, in several ways: the comparison of newton_comparison.hpp with
-/// its numbers.
+/// Newton's method in several ways from the same start in a story: the comparison of newton_comparison.hpp
+/// with its numbers.
 namespace jw {
 
-/// Comparison that is asked for: all methods in one choice of coordinates, or one method in all choices.
+/// The requested comparison: all methods in one choice of coordinates, or one method in all choices.
 struct NewtonPlan {
     bool by_method = true;
-    CoordinateChoice choice = CoordinateChoice::modified_euler_parameters;  ///< by method
-    NewtonMethod method = NewtonMethod::stepwise_limited;                   ///< by coordinates
+    CoordinateChoice choice = CoordinateChoice::modified_euler_parameters;  ///< if methods are compared
+    NewtonMethod method = NewtonMethod::stepwise_limited;                   ///< if coordinates are compared
     bool normalisation_rows = true;
 
     bool operator==(const NewtonPlan&) const = default;
@@ -32,8 +32,9 @@ inline constexpr std::array kNewtonMethods{
 /// Index of the step from which a joint or driver is closed, -1 if the story does not reach it.
 int start_of_closing(const Story& story, const Addition& subject);
 
-/// Index of the step from which the joint or driver is closed that tells most of Newton's method: where a
-/// wrong branch is left, else where the most iterations happen; the first of equals, -1 if nothing is added.
+/// Index of the step from which a joint or driver is closed, for the one that shows most about Newton's
+/// method: a wrong branch is left, or else the most iterations happen. The first of several; -1 if nothing is
+/// added.
 int start_of_telling_closing(const Story& story);
 
 struct NewtonRuns {
@@ -47,9 +48,9 @@ struct NewtonRuns {
 /// @param start  index of a step of kind equations
 NewtonRuns run_newton(const Story& story, int start, const NewtonPlan& plan);
 
-/// Runs the next way of a comparison, for those who do other things in between.
-/// @param runs  none at first; compared with the last one
-/// @return false if all ways had been run
+/// Runs the next way of a comparison, for callers that do other work in between.
+/// @param runs  empty at first; the comparison is made with the last way
+/// @return false if all ways have been run already
 bool run_next_way(const Story& story, int start, const NewtonPlan& plan, NewtonRuns& runs);
 std::size_t ways_of(const NewtonPlan& plan);
 

@@ -13,21 +13,22 @@ namespace jw {
 namespace {
 
 constexpr long kMostReferenceSteps = 1'000'000;
-/// Residual left after a projection when the parts fit, relative to the size of an equation; far above
+/// Largest residual after a projection if the parts fit, relative to the size of an equation; far above
 /// rounding.
 constexpr double kMetByReference = 1e-9;
 
 /// Positions and velocities of the lesson's point at the times of a reference.
 using PointPath = std::vector<std::pair<Vec3, Vec3>>;
 
-/// One way to a reference: what it says of itself, and its path or why there is none.
+/// One way to compute a reference: its description, and its path or why there is none.
 struct ReferenceWay {
     std::string name;
     std::optional<PointPath> path;
     std::string failure;
 };
 
-/// Records where the point is in the flat states that it receives; ends the run when asked to.
+/// Records the position of the point in the flat states that it receives; ends the run if it is asked to
+/// stop.
 class PointRecorder {
 public:
     PointRecorder(const Lesson& lesson, const Simulation& simulation, const std::stop_token& stop)
@@ -48,8 +49,8 @@ private:
     const std::stop_token& stop_;
 };
 
-/// The equations of the bodies by an integrator that no method shares. Turns of springs are counted by runs
-/// only.
+/// The equations of the bodies by an integrator that no method uses. It does not count the turns of springs;
+/// only runs of the program do.
 ReferenceWay by_extrapolation(
     const Lesson& lesson, const std::vector<double>& times, const std::stop_token& stop) {
     constexpr double tolerance = 1e-13;
@@ -62,7 +63,7 @@ ReferenceWay by_extrapolation(
     SimulationSettings settings;
     settings.formulation = Formulation::bodies;
     Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
-    // steps end where a function of time begins or ends to change; those times are no samples
+    // steps end where a function of time starts or stops changing; these times are not samples
     std::vector<double> stops = times;
     const std::vector<double> events = events_until(times.back(), simulation.scene());
     stops.insert(stops.end(), events.begin(), events.end());
@@ -88,7 +89,7 @@ ReferenceWay by_extrapolation(
     return way;
 }
 
-/// A run of the program, by equations that no method of the race takes where that is to be paid.
+/// A run of the program, by equations that none of the compared methods uses where this is affordable.
 ReferenceWay by_run(
     const Lesson& lesson, const SimulationSettings& asked, const std::string& name,
     const std::vector<double>& times, const std::stop_token& stop) {
@@ -108,7 +109,7 @@ ReferenceWay by_run(
     return way;
 }
 
-/// The dense equations of the slides; their price grows with the cube of the bodies.
+/// The dense equations of the slides; their cost grows with the cube of the number of bodies.
 ReferenceWay by_slides(const Lesson& lesson, const std::vector<double>& times, const std::stop_token& stop) {
     constexpr int most_bodies = 20;
     SimulationSettings settings;

@@ -5,7 +5,7 @@
 #include "app/session/benchmark/benchmark.hpp"
 #include "app/session/view/series.hpp"
 
-/// Prices found by a benchmark: what one more digit costs, method by method, as plain values to be shown.
+/// Results of a benchmark as plain values to be shown: the cost of one more digit, method by method.
 namespace jw {
 
 /// Errors of position that people ask for [m].
@@ -15,20 +15,20 @@ std::string level_text(std::size_t level);
 
 struct PriceRow {
     std::string name;  ///< of the method
-    /// To each of the levels [ms]; nothing where it was not reached.
+    /// Time to reach each of the levels [ms]; nothing where it was not reached.
     std::array<std::optional<double>, kErrorLevels.size()> milliseconds;
-    double finest = 0.0;  ///< least error of all its runs [m]; NaN where none reached the end
+    double finest = 0.0;  ///< smallest error of all its runs [m]; NaN if none reached the end
 };
 
 struct Prices {
     std::vector<PriceRow> rows;
     SeriesSet curves;     ///< CPU time over digits of position, one curve per row
-    std::string summary;  ///< who is first to each level, and by how much
+    std::string summary;  ///< which method is first at each level, and by how much
 };
 
 Prices prices_of(const std::vector<BenchRun>& runs);
 
-/// CPU time over digits of position, one curve per method: the least time that reaches so many digits.
+/// CPU time over digits of position, one curve per method: the shortest time that reaches this many digits.
 SeriesSet work_precision(const std::vector<BenchRun>& runs);
 
 }  // namespace jw

@@ -13,8 +13,8 @@
 
 namespace jw {
 
-/// Work by a `Worker`, whatever its result. Destroyed, it waits for the worker: a work that nobody wants any
-/// more is told to stop, and kept until it has.
+/// Work of a `Worker` with a result of any type. The destructor waits for the worker. Work that is not wanted
+/// any more is told to stop, and is kept until it has stopped.
 class BackgroundWork {
 public:
     virtual ~BackgroundWork() = default;
@@ -30,7 +30,7 @@ public:
 template <class Result>
 class Background : public BackgroundWork {
 public:
-    /// Does a piece of the work, as `Worker::Piece`. @return nothing while there is more to do
+    /// Does a piece of the work, like `Worker::Piece`. @return nothing while there is more to do
     using Piece = std::function<std::optional<Result>(const std::stop_token&)>;
 
     explicit Background(Piece piece)
@@ -66,9 +66,9 @@ private:
 
     mutable std::mutex mutex_;
     bool done_ = false;
-    std::optional<Result> result_;  ///< of the worker alone until it has ended
+    std::optional<Result> result_;  ///< only the worker uses it until it has ended
     std::exception_ptr failure_;
-    Worker worker_;  ///< last: it ends before what it writes into
+    Worker worker_;  ///< last: it ends before the members that it writes to
 };
 
 }  // namespace jw

@@ -4,15 +4,15 @@
 #include <memory>
 #include <stop_token>
 
-/// Work beside whatever else goes on. The one place that knows threads; a page in a browser has none.
+/// Work in the background. This is the only place that uses threads; a page in a browser has none.
 namespace jw {
 
-/// Work that is done beside whatever else goes on: in a thread of its own, or, where there are no threads,
-/// piece by piece in `run_waiting_work`. Destroyed, it is told to stop and waited for.
+/// Work in the background: in its own thread, or, where there are no threads, piece by piece in
+/// `run_waiting_work`. The destructor tells it to stop, and waits for it.
 class Worker {
 public:
-    /// Does a piece of the work, some milliseconds long where somebody may wait for the next picture. It must
-    /// not throw. @return true while there is more to do
+    /// Does a piece of the work, which takes some milliseconds where somebody may wait for the next picture.
+    /// It must not throw. @return true while there is more to do
     using Piece = std::function<bool(const std::stop_token&)>;
 
     explicit Worker(Piece piece);
@@ -30,7 +30,7 @@ private:
     std::unique_ptr<Running> running_;
 };
 
-/// Does what waits because there are no threads: one piece, and more until so many seconds have passed.
+/// Does work that waits because there are no threads: one piece, then more until `seconds` have passed.
 /// @return false if nothing waited
 bool run_waiting_work(double seconds);
 

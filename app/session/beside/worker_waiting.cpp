@@ -16,7 +16,7 @@ struct Worker::Running {
 
 namespace {
 
-/// Those with something left to do, the oldest first.
+/// Workers with work left, the oldest first.
 std::deque<Worker*>& waiting() {
     static std::deque<Worker*> all;
     return all;

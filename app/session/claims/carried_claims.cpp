@@ -9,7 +9,7 @@ namespace jw {
 
 namespace {
 
-/// Nothing if what it comes after is gone.
+/// The same moment in the changed lesson; nothing if the joint or driver that it comes after is gone.
 std::optional<Moment> carried(const Moment& when, const Lesson& written, const Lesson& changed) {
     using Carried = std::optional<Moment>;
     return std::visit(

@@ -7,7 +7,7 @@
 namespace jw {
 
 /// The claims of a lesson that can still be judged after joints and drivers were taken out of it: those about
-/// what is left, each at the moment after the same joint or driver.
+/// the remaining parts, each at the moment after the same joint or driver.
 std::vector<Claim> carried_claims(const Lesson& written, const Lesson& changed);
 
 }  // namespace jw

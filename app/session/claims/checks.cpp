@@ -24,7 +24,7 @@ namespace jw {
 
 namespace {
 
-// as a time was typed: with fewer, different times look alike
+// all digits of a typed time: with fewer, different times look the same
 constexpr int kTypedDigits = 15;
 
 std::string text_of(const Moment& moment, const Lesson& lesson) {
@@ -63,7 +63,7 @@ double number_of(const QuantityClaim& claim, const Instant& instant, Absence& wh
     return v.derivatives[static_cast<std::size_t>(claim.derivative)];
 }
 
-/// A pose gives an angle up to whole turns; a motion tells them.
+/// A pose determines an angle only up to whole turns; a motion determines the turns, too.
 double difference_of(const QuantityClaim& claim, const Instant& instant, double a, double b) {
     const bool has_turns_open =
         claim.derivative == 0 && is_modulo_turn(claim.quantity) && instant.turns.empty();
@@ -146,7 +146,7 @@ double residual_of(const Pose& pose) {
     return largest;
 }
 
-/// σ_1 / σ_r; an estimate is no proof, so of large systems, too, by singular values.
+/// σ_1 / σ_r, from singular values even for large systems, since an estimate proves nothing.
 double condition_of(const Pose& pose) {
     const RankReport report = rank_of(*pose.instant.system, pose.instant.state, pose.instant.t, true);
     return report.rank > 0 ? report.first_value() / report.last_value() : 1.0;
@@ -159,7 +159,7 @@ void judge(const BoundClaim& claim, const Pose& pose, ClaimResult& result) {
     const bool above = claim.bound == Bound::condition_above;
     result.holds = above ? found > claim.limit : found < claim.limit;
     const auto text = [&](double value) {
-        // not by number_text, which takes a small one for rounding
+        // not by number_text, which treats a small value as rounding
         const bool exactly = !result.holds && std::isfinite(value);
         return exactly ? short_number(value, writing::digits_apart(claim.limit, found, 6))
                        : number_text(value, 6);
@@ -206,11 +206,11 @@ ClaimResult judged(const Claim& claim, const Pose& pose) {
     return result;
 }
 
-/// A claim that a trusted computation has made about the end of the motion. Two runs of different tolerance
-/// say how far the own computation can be trusted.
+/// The claim `point_at_end`, which comes from a trusted computation. Two runs with different tolerances show
+/// how far the program's own computation can be trusted.
 ClaimResult judged_end(const Lesson& lesson, const Pose& pose) {
     constexpr double far =
-        1e-6;  // of the scene: more than both leave open, less than a wrong digit that matters
+        1e-6;  // of the scene: above the uncertainty of both, below a wrong digit that matters
     const DynamicsPlan& plan = *lesson.dynamics;
     const double allowed = far * extent(lesson.mechanism);
     ClaimResult result;

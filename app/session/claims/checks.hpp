@@ -20,8 +20,8 @@ struct ClaimResult {
 };
 
 /// One result per claim, in the order of the file, and one more for the `point_at_end` of a lesson of
-/// dynamics. The numerics failing is a claim that does not hold, unless the claim is `closes = false`.
-/// `lesson` must outlive the results.
+/// dynamics. If the numerics fail, the claim does not hold, unless it is `closes = false`. `lesson` must
+/// outlive the results.
 std::vector<ClaimResult> check_claims(const Lesson& lesson);
 
 }  // namespace jw

@@ -90,7 +90,7 @@ std::vector<double> ClaimPoses::claimed_times(bool by_forces) const {
 
 void ClaimPoses::follow_motion() {
     std::vector<double> times = claimed_times(false);
-    // the lesson's own intervals as well: a claim must not depend on how many others there are
+    // the lesson's own intervals, too: the result of a claim must not depend on the number of other claims
     const MotionPlan& plan = *lesson_->motion;
     const double last = *std::ranges::max_element(times);
     for (int k = 0; k <= plan.steps; ++k) {
@@ -122,8 +122,8 @@ void ClaimPoses::follow_motion() {
     }
 }
 
-/// Follows the motion by two runs over the whole duration, whatever times are claimed: what is found at one
-/// of them must not depend on the others.
+/// Follows the motion by two runs over the whole duration, whatever times are claimed, so that the result at
+/// one time does not depend on the others.
 void ClaimPoses::follow_forces() {
     std::vector<double> times = claimed_times(true);
     times.insert(times.end(), {0.0, lesson_->dynamics->duration});
@@ -138,7 +138,7 @@ void ClaimPoses::follow_forces() {
     if (failure.empty()) { failure = run(kTightRun, found); }
     for (const double t : times) {
         Pose& pose = by_forces_[t];
-        // moments reached before the run ended count
+        // moments that were reached before the run ended are valid
         if (found.contains(t)) {
             pose.instant = found.at(t);
             pose.rough = rough.at(t);

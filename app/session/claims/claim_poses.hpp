@@ -16,11 +16,11 @@ struct Pose {
     /// The same instant of a run with a looser tolerance, for a motion by masses and forces. The difference
     /// of the two is what cannot be proved.
     std::optional<Instant> rough;
-    std::optional<bool> change_point;  ///< as the motion met it; nothing where none led here
+    std::optional<bool> change_point;  ///< as found along the motion; nothing if no motion led here
     std::string failure;               ///< not empty: the pose was not reached
 };
 
-/// Poses of all moments that are asked for, each found once.
+/// Poses of all requested moments, each computed once.
 class ClaimPoses {
 public:
     /// `lesson` must outlive the poses.

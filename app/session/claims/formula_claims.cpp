@@ -15,7 +15,7 @@ namespace {
 constexpr unsigned kStates = 20;
 constexpr double kPlainlyOther = 1e-6;
 
-/// The outcome that is farthest from equality, in parts of the largest term.
+/// The outcome that is farthest from equality; `part` is its difference relative to the largest term.
 struct Worst {
     formula::Outcome outcome;
     double part = 0.0;

@@ -9,7 +9,7 @@ namespace jw {
 std::string markup_text(std::string_view text) {
     std::string shown;
     for (const char c : xml_text(text)) {
-        // between quotes of either kind, too
+        // both kinds of quotes, since the text may be an attribute
         shown += c == '"' ? std::string("&quot;") : c == '\'' ? std::string("&#39;") : std::string(1, c);
     }
     return shown;

@@ -6,10 +6,10 @@
 /// Text as HTML, XML and Markdown.
 namespace jw {
 
-/// Text between tags or in an attribute: marks escaped, U+FFFD for what XML does not allow.
+/// Text between tags or in an attribute: special characters escaped, U+FFFD for what XML does not allow.
 std::string markup_text(std::string_view text);
 /// Words with formulas between dollar signs as HTML with MathML.
 std::string html_words(const std::string& words);
-/// Words likewise, as Markdown with formulas in LaTeX.
+/// The same words as Markdown with formulas in LaTeX.
 std::string markdown_words(const std::string& words);
 }  // namespace jw

@@ -5,7 +5,7 @@
 
 namespace jw {
 
-/// `text` for a part of a URL: every byte but ASCII letters, digits and those of `plain` as %XX.
+/// `text` as a part of a URL: every byte except ASCII letters, digits and the bytes of `plain` becomes %XX.
 std::string percent_encoded(std::string_view text, std::string_view plain);
 
 }  // namespace jw

@@ -11,10 +11,10 @@ struct CodePoint {
     std::size_t bytes = 0;  ///< 0: this is not UTF-8
 };
 
-/// The shortest code point of so many bytes; shorter ones are written with fewer.
+/// The smallest code point that needs this many bytes; smaller ones must be written with fewer.
 char32_t least_of(std::size_t bytes) { return bytes == 2 ? 0x80U : (bytes == 3 ? 0x800U : 0x10000U); }
 
-/// The character that `text`, which is not empty, begins with.
+/// The first character of `text`, which is not empty.
 CodePoint first_of(std::string_view text) {
     const auto first = static_cast<unsigned char>(text.front());
     if (first < 0x80U) { return {first, 1}; }

@@ -6,8 +6,8 @@
 
 namespace jw {
 
-/// A view as text for a terminal: everything of the step that matters to its kind, in lines of at most
-/// `width` characters where words allow.
+/// A view as text for a terminal: everything that matters for this kind of step, in lines of at most `width`
+/// characters where words allow.
 std::string describe(const View& view, int width = 100);
 
 }  // namespace jw

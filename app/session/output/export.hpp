@@ -8,23 +8,23 @@
 /// line feeds, numbers with all digits).
 namespace jw {
 
-/// Words and labels for \text{...}; what LaTeX gives a meaning is escaped, symbols are set as mathematics.
-/// Letters of other alphabets stay as they are.
+/// Words and labels for \text{...}: characters that are special in LaTeX are escaped, symbols are set as
+/// mathematics, letters of other alphabets stay as they are.
 std::string latex_text(const std::string& text);
 
-/// An equation as a display of its own.
+/// An equation as its own display.
 std::string equation_latex(const EquationGroup& group);
-/// All equations of a step, a display each; empty if it has none.
+/// All equations of a step, one display each; empty if it has none.
 std::string equations_latex(const View& view);
 
 enum class MatrixStyle {
     labelled,  ///< an array with the names of rows and columns
     brackets,  ///< a bmatrix of numbers
 };
-/// Φq as a display of its own, four digits.
+/// Φq as its own display, with four digits.
 std::string matrix_latex(const MatrixView& matrix, MatrixStyle style);
 
-/// A line per row of Φq: what it belongs to, its label, its entries; columns are named "crank ω′x".
+/// One line per row of Φq: its owner, its label, its entries; columns are named "crank ω′x".
 std::string matrix_csv(const MatrixView& matrix);
 
 }  // namespace jw

@@ -81,7 +81,7 @@ Json json_of(const SymbolMeaning& meaning) {
         {"frame", text_or_null(meaning.frame)}};
 }
 
-/// The primitive of the equation; the index of the joint before it is no name, and the meanings have one.
+/// The primitive of the equation, without the joint's index in front: the meanings have the joint's name.
 std::string primitive_in(const std::string& scope) { return scope.substr(scope.find(' ') + 1); }
 
 Json json_of(const SymbolView& symbol) {
@@ -126,7 +126,7 @@ Json json_of(const QuestionView& question) {
         {"why", text_or_null(question.why)}};
 }
 
-/// One per text of the free motions.
+/// One judgement per text of the free motions.
 Json judgements_of(const RankView& rank, const Mechanism& mechanism) {
     if (!rank.judged_motions) { return {}; }
     Json list = Json::array();
@@ -136,7 +136,7 @@ Json judgements_of(const RankView& rank, const Mechanism& mechanism) {
     return list;
 }
 
-/// null where no digits decide.
+/// null if no digits of the lesson decide the rank.
 Json json_of(const std::optional<TypedVerdict>& typed) {
     if (!typed) { return {}; }
     return {

@@ -6,14 +6,14 @@
 #include "app/session/view/inspection.hpp"
 #include "app/session/view/view.hpp"
 
-/// JSON of everything the program can tell; docs/command-line.md describes the layout. Numbers have full
-/// double precision; what is not finite is null.
+/// JSON of everything that the program can report; docs/command-line.md describes the layout. Numbers have
+/// full double precision; what is not finite is null.
 namespace jw {
 
 /// Keeps the order in which keys were written.
 using Json = nlohmann::ordered_json;
 
-/// Version of the layout: a key is added without, removed or changed only with a new one.
+/// Version of the layout: a new key keeps it, a removed or changed key needs a new version.
 inline constexpr int kJsonVersion = 1;
 
 /// `json` as a document that ends with a line feed. Bytes that are not UTF-8 become U+FFFD; control

@@ -4,7 +4,7 @@ namespace jw {
 
 namespace {
 
-/// U+007F, or U+0080 to U+009F, at `at`: how many bytes it has, 0 for anything else.
+/// Number of bytes of a control character U+007F to U+009F at `at`; 0 for anything else.
 std::size_t control_at(const std::string& text, std::size_t at) {
     if (text[at] == '\x7f') { return 1; }
     if (text[at] != '\xC2' || at + 1 == text.size()) { return 0; }
@@ -23,7 +23,7 @@ std::string json_document(const Json& json, int indent) {
     const std::string text = json.dump(indent, ' ', false, Json::error_handler_t::replace);
     std::string shown;
     shown.reserve(text.size() + 1);
-    // outside of strings JSON is ASCII without controls
+    // outside of strings, JSON is ASCII without control characters
     for (std::size_t at = 0; at < text.size(); ++at) {
         const std::size_t bytes = control_at(text, at);
         if (bytes == 0) {

@@ -163,7 +163,7 @@ Json thetas_of(const System& system, const State& state, const Motion& velocity)
     return list;
 }
 
-/// All rows with all of their zeros; of large systems the entries that are not zero, as three lists.
+/// All rows with all of their zeros; for large systems the entries that are not zero, as three lists.
 Json jacobian_of(const Inspection& inspection) {
     const SparseRows& jacobian = inspection.jacobian;
     if (is_shown_dense(inspection)) {

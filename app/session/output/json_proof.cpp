@@ -52,7 +52,8 @@ Json field(ScrewAngleForm form) {
 
 /// Kind and data of an equation, vectors in the frames of its bodies.
 struct Geometry {
-    /// Fields of a primitive; its vectors are "_local", which here all of them are.
+    /// Fields of a primitive. The ending "_local" is left out of their names, since all vectors are local
+    /// here.
     Json operator()(const auto& primitive) const {
         Json all{{"kind", kind_of(primitive)}};
         primitive.for_each_field([&](std::string_view name, const auto& value) {

@@ -7,7 +7,7 @@
 #include "app/session/view/solution.hpp"
 #include "lessons/enum_words.hpp"
 
-/// JSON of tables over time: what `solve` and `simulate` tell.
+/// JSON of tables over time, as `solve` and `simulate` write them.
 namespace jw {
 
 inline constexpr std::array kAnalyses{

@@ -22,14 +22,14 @@ constexpr std::array kSymbols{
     Symbol{"∞", "\\infty "}, Symbol{"√", "\\surd "},   Symbol{"→", "\\to "},
 };
 
-/// Small letters that stand for scripts in labels.
+/// Characters of labels that are subscripts or superscripts.
 constexpr std::array kScripts{
     Symbol{"₀", "_{0}"}, Symbol{"₁", "_{1}"},           Symbol{"₂", "_{2}"}, Symbol{"₃", "_{3}"},
     Symbol{"ᵢ", "_{i}"}, Symbol{"ⱼ", "_{j}"},           Symbol{"²", "^{2}"}, Symbol{"⁰", "^{0}"},
     Symbol{"ᴾ", "^{P}"}, Symbol{"ᵀ", "^{\\mathsf{T}}"}, Symbol{"ᴮ", "^{B}"},
 };
 
-/// Characters with a meaning of their own in LaTeX text, and how they are written.
+/// Characters with a special meaning in LaTeX text, and how they are written.
 constexpr std::array kEscaped{
     Symbol{"\\", "\\textbackslash{}"},
     Symbol{"~", "\\textasciitilde{}"},
@@ -72,7 +72,7 @@ std::string latex_text(const std::string& text) {
             rest.remove_prefix(1);
             continue;
         }
-        // a prime is a mark of nothing here
+        // here a prime has no letter before it
         const bool prime = symbol->utf8 == "′";
         latex += "$" + (prime ? std::string("{}^{\\prime}") : trimmed(symbol->latex)) + "$";
         rest.remove_prefix(symbol->utf8.size());

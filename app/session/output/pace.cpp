@@ -12,19 +12,19 @@ namespace jw {
 namespace {
 
 constexpr double kSecondsToLook = 1.5;
-// 260 words a minute, an attentive reader; who wants longer pauses
+// 260 words a minute, for an attentive reader; whoever needs longer can pause
 constexpr double kSecondsPerWord = 60.0 / 260.0;
 constexpr double kLongestStill = 10.0;
 
 int words_of(const std::string& text) {
     const std::string plain = math::plain_words(text);
     std::istringstream words(plain);
-    // Chinese has no blanks: two characters are read like a word
+    // Chinese has no blanks: two characters count as one word
     const auto wide = std::ranges::count_if(from_utf8(plain), is_wide);
     return static_cast<int>(std::distance(std::istream_iterator<std::string>(words), {}) + wide / 2);
 }
 
-/// A question is read with its choices; the answer is thought over while it stands.
+/// A question is read with its choices; at the answer, all of it is read again, which leaves time to think.
 int words_of(const QuestionView& question) {
     int words = words_of(question.ask) + words_of(question.answer) + words_of(question.why);
     for (const std::string& choice : question.choices) { words += words_of(choice); }
@@ -36,7 +36,7 @@ int words_of(const QuestionView& question) {
 double seconds_to_look(const View& view, double moment) {
     if (view.kind == Step::Kind::motion) { return moment; }
     if (view.kind == Step::Kind::iteration) { return kSecondsToLook; }
-    // after assembly the author's text is still the one that was there when the equations came
+    // after assembly, the author's text is the one that was already shown with the equations
     const bool is_new = view.kind != Step::Kind::assembled;
     const int asked = view.question ? words_of(*view.question) : 0;
     const int words = words_of(view.sentence) + (is_new ? words_of(view.author_text) : 0) + asked;

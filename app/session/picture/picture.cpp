@@ -18,13 +18,13 @@ constexpr double kTriadRadius = 0.0028;
 constexpr double kSameFrame = 0.02;
 constexpr float kFaint = 0.4F;
 constexpr float kGhost = 0.2F;
-constexpr double kMoved = 0.01;    // of the unit: less is not seen
-constexpr double kOneName = 0.06;  // of the unit: nearer names say the same of the same
+constexpr double kMoved = 0.01;    // of the unit: smaller motions are not visible
+constexpr double kOneName = 0.06;  // of the unit: equal names that are nearer name the same thing
 
 int bodies_count(const Lesson& lesson) { return static_cast<int>(lesson.mechanism.bodies.size()); }
 
-/// The joints that a step is about: the one that was added, or that the added driver acts along; while
-/// everything moves the featured ones. Empty: none.
+/// The joints that a step is about: the one that was added, or that the added driver acts along; during the
+/// motion the featured ones. Empty: none.
 std::vector<int> subject_joints(const Story& story, const Step& step) {
     if (step.kind == Step::Kind::motion) { return featured_joints(story); }
     const std::optional<Addition> subject = subject_of(story.lesson(), step);
@@ -47,7 +47,7 @@ int failing_joint(const Step& step) {
     return step.system->constraints()[static_cast<std::size_t>(origin.index)].joint;
 }
 
-/// Makes everything from the `first` entry on stand for `link`.
+/// Gives everything from the `first` entry on the id of `link`.
 template <class Drawn>
 void name_from(std::vector<Drawn>& drawn, std::size_t first, const Pointable& link) {
     for (std::size_t k = first; k < drawn.size(); ++k) { drawn[k].id = picture_id(link); }
@@ -79,7 +79,7 @@ int part_of(const render::Colour& colour) {
     return colour == render::palette::kVectorD ? Pointable::kVectorD : -1;
 }
 
-/// Adds the vectors of a joint and their names, which stand for it.
+/// Adds the vectors of a joint and their names, linked to these vectors.
 void add_named_vectors(
     const Lesson& lesson, const PictureStyle& style, const State& state, int joint, Picture& picture) {
     const std::size_t first_arrow = picture.scene.arrows.size();
@@ -99,7 +99,7 @@ void add_named_vectors(
     }
 }
 
-/// Of two joints that share a vector, fixed in the same body, one names it.
+/// If two joints share a vector that is fixed in the same body, only one name of it stays.
 void leave_out_repeated_names(const PictureStyle& style, Picture& picture) {
     std::vector<Annotation>& names = picture.annotations;
     for (std::size_t k = 0; k < names.size(); ++k) {
@@ -168,7 +168,7 @@ void add_ghosts(
         if (!bodies.contains(b)) { continue; }
         const BodyFrame from = frame_of(before, b);
         const BodyFrame to = frame_of(now, b);
-        // a turn is seen at an arm of about a quarter of the unit
+        // a turn is visible as the motion of a point about a quarter of the unit away
         const double moved = (to.r - from.r).norm() + 0.25 * style.unit * (to.A - from.A).norm();
         if (moved > kMoved * style.unit) { add_body(story.lesson(), style, before, b, kGhost, scene); }
     }
@@ -219,7 +219,7 @@ Picture compose(
     if (const int failing = failing_joint(step); failing >= 0 && !contains(joints, failing)) {
         add_gap(style, placed(lesson.mechanism, failing, step.state), picture);
     }
-    // between bodies that are still apart they would only be in the way
+    // between bodies that are still apart, springs would only hide other things
     if (step.additions == static_cast<int>(lesson.order.size())) {
         add_springs(lesson, style, step.state, picture.scene);
     }

@@ -12,14 +12,14 @@
 /// The 3D part of a step's picture: bodies, joints, and the vectors of the joint that the step is about.
 namespace jw {
 
-/// A name that belongs to a point of the scene, a formula as docs/mathematics.md says.
+/// A name at a point of the scene; formulas as docs/mathematics.md says.
 struct Annotation {
     Vec3 at = Vec3::Zero();       ///< what it names: the tip of a vector, a point [m]
     Vec3 towards = Vec3::Zero();  ///< direction in which there is room for it, global; zero: anywhere
     std::string text;
     render::Colour colour;
-    bool body_name = false;  ///< less important: left out where there is no room
-    Pointable link = {};     ///< what it is the name of
+    bool body_name = false;  ///< less important: left out if there is no room
+    Pointable link = {};     ///< the thing that it names
 };
 
 struct Picture {
@@ -29,14 +29,14 @@ struct Picture {
 
 /// Lengths of a joint's glyph and vectors that are the same in all pictures [m].
 struct JointStyle {
-    double aside_i = 0.0;  ///< from its line to where s_i is in plain sight, beside the bodies
+    double aside_i = 0.0;  ///< from its line to where s_i is visible beside the bodies
     double aside_j = 0.0;  ///< the same for s_j
     double side = 0.0;     ///< from the point P along h and u to the surface of the bodies
-    double lift_i = 0.0;   ///< along the axis to where h_i (u_i of a screw) is in plain sight
+    double lift_i = 0.0;   ///< along the axis to where h_i (u_i of a screw) is visible
     double lift_j = 0.0;   ///< the same for h_j (u_j)
-    double lowest = 0.0;   ///< of s_iᵀ d over the story, zero included: the bar reaches P_i
+    double lowest = 0.0;   ///< smallest s_iᵀ d over the story, at most 0: the bar reaches P_i
     double highest = 0.0;
-    double farthest = 0.0;  ///< from that line, of P_j [m]
+    double farthest = 0.0;  ///< largest distance of P_j from that line [m]
 };
 
 /// Properties that all pictures of a story share, found once, so that nothing grows, shrinks or jumps between
@@ -45,12 +45,12 @@ struct PictureStyle {
     double unit = 1.0;  ///< size of the mechanism [m]: pins, arrows and default rods are in proportion to it
     Vec3 up = Vec3::UnitZ();
     Vec3 view{-0.62, 0.66, -0.42};           ///< from the eye to the scene
-    std::vector<std::vector<Shape>> bodies;  ///< what is drawn of each body, body frames; see local_shapes
+    std::vector<std::vector<Shape>> bodies;  ///< shapes of each body, in its frame; see local_shapes
     std::vector<JointStyle> joints;
     int traced_body = -1;  ///< its point draws a path while everything moves; -1: nothing moves
     Vec3 traced_point_local = Vec3::Zero();
     bool ground_axes = true;  ///< false: they are too far away to be shown
-    render::Bounds bounds;    ///< everything that is ever in sight: one camera serves the whole story
+    render::Bounds bounds;    ///< everything that is ever visible: one camera serves the whole story
     render::Ground ground;
     double newton = 0.0;        ///< length of an arrow for 1 N; 0: there are no forces
     double newton_metre = 0.0;  ///< and for 1 N m
@@ -61,14 +61,14 @@ PictureStyle picture_style(const Story& story);
 /// @param index of the step in the story
 Picture picture_of(const Story& story, const PictureStyle& style, int index);
 
-/// Marks what is lit: outlined bodies, joints and vectors, their names as well.
+/// Outlines the bodies, joints and vectors that are lit, and their names.
 void light_up(Picture& picture, const Emphasis& lit);
 
-/// Other poses of the same bodies, pale; the later ones stronger.
+/// Adds other poses of the same bodies in pale colours, the later ones stronger.
 void add_ghosts(
     const Lesson& lesson, const PictureStyle& style, std::span<const State> poses, Picture& picture);
 
-/// Picture of a step that is not in the story: it stands in the place of step `index`, moved by hand.
+/// Picture of a step that is not in the story: it takes the place of step `index`, and is moved by hand.
 Picture picture_of(const Story& story, const PictureStyle& style, const Step& step, int index);
 
 }  // namespace jw

@@ -53,7 +53,7 @@ void add_body(
 
 Vec3 middle_of_body(const PictureStyle& style, const State& state, int body) {
     const std::vector<Shape>& shapes = style.bodies[static_cast<std::size_t>(body)];
-    // the author's first shape is the main one; a star of rods has its middle at none of them
+    // the author's first shape is the main one; in a star of rods, no rod has its middle at that of the star
     const Vec3 middle = shapes.empty() ? Vec3(Vec3::Zero()) : centre_of(shapes.front());
     return frame_of(state, body).point(middle);
 }

@@ -14,7 +14,7 @@ namespace {
 
 // cosine above which axes count as parallel
 constexpr double kParallel = 0.996;
-// sine of the angle between view and axis from which on a vector along the axis is long enough on the picture
+// sine of the angle between view and axis at which a vector along the axis becomes long enough on the picture
 constexpr double kNotEndOn = 0.45;
 
 /// Axes of the joints that have one, at the last pose before the motion; unit.
@@ -80,11 +80,11 @@ double shortest(const std::vector<Vec3>& axes, const Vec3& view) {
     return least;
 }
 
-/// `view`, turned about `up` as little as is needed to see no axis end-on.
+/// `view`, turned about `up` just enough that no axis is seen end-on.
 Vec3 turned_off_axes(const Vec3& view, const Vec3& up, const std::vector<Vec3>& axes) {
     constexpr double step = 0.2;    // rad
     constexpr int most = 5;         // steps to either side
-    constexpr double price = 0.01;  // of a step: of equally good views the nearest
+    constexpr double price = 0.01;  // of a step, so that the nearest of equally good views is taken
     Vec3 best = view.normalized();
     double best_value = -1.0;
     for (int k = -most; k <= most; ++k) {
@@ -98,7 +98,7 @@ Vec3 turned_off_axes(const Vec3& view, const Vec3& up, const std::vector<Vec3>& 
     return best;
 }
 
-/// Smallest distance from a wished target at which all of `bounds` is inside `safe`.
+/// Smallest distance from a given target at which all of `bounds` is inside `safe`.
 double distance_to_fit(
     const render::Bounds& bounds, const render::Camera& camera, const render::Rect& viewport,
     const render::Rect& safe) {
@@ -137,7 +137,7 @@ render::Camera camera_of(
     framing.up = style.up;
     framing.direction = style.view;
     framing.orthographic = wish.orthographic;
-    // up as good as along the view leaves the picture's turn open
+    // if up is almost along the view, it does not determine how the picture is turned
     if (framing.direction.cross(framing.up).norm() < 1e-3) {
         framing.up = perpendicular_to(framing.direction);
     }

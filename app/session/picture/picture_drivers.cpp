@@ -12,10 +12,10 @@ namespace {
 
 namespace palette = render::palette;
 
-constexpr int kArcPoints = 72;  // a full turn looks round with so many
+constexpr int kArcPoints = 72;  // enough for a full turn to look round
 constexpr double kHead = 0.03;  // length of the arrow at the end of an arc, of the unit
 
-constexpr double kArm = 1.22;  // length of u_i, of the arc's radius
+constexpr double kArm = 1.22;  // length of u_i, relative to the arc's radius
 
 /// A circle about the axis of a joint.
 struct Circle {
@@ -67,7 +67,7 @@ Circle circle_in_sight(const PictureStyle& style, const PlacedJoint& j, const St
 void add_angle(
     const PictureStyle& style, const PlacedJoint& j, const State& state, double angle, Picture& picture) {
     const Circle circle = circle_in_sight(style, j, state);
-    // whole turns lie on each other
+    // whole turns would be drawn on top of each other
     const double shown = std::remainder(angle, 2.0 * kWholeTurn);
     const int count = std::max(2, static_cast<int>(std::ceil(kArcPoints * std::abs(shown) / kWholeTurn)));
     render::Polyline arc{{}, 3.0, palette::kVectorD};
@@ -82,7 +82,7 @@ void add_angle(
     const double middle = 0.5 * shown;
     picture.annotations.push_back({circle.at(middle), circle.direction(middle), "θ", palette::kVectorD});
     const double length = kArm * circle.radius;
-    // at the angle zero one would hide the other
+    // at angle zero, one would hide the other
     const Vec3 apart = 1.5 * vector_radius(style.unit) * (j.s_i.dot(style.view) > 0.0 ? -1.0 : 1.0) * j.s_i;
     const Vec3 foot_i = circle.centre - apart;
     const Vec3 foot_j = circle.centre + apart;
@@ -111,7 +111,7 @@ void add_driver(
     const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture) {
     const Mechanism& mechanism = lesson.mechanism;
     const Driver& d = mechanism.drivers[static_cast<std::size_t>(driver)];
-    const auto k = static_cast<std::size_t>(d.joint);  // only where the measure is one of a joint
+    const auto k = static_cast<std::size_t>(d.joint);  // only if the measure belongs to a joint
     const BodyFrame i = frame_of(state, d.body_i);
     const BodyFrame j = frame_of(state, d.body_j);
     std::visit(

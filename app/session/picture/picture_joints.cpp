@@ -20,7 +20,7 @@ Mat3 axes_with_z(const Vec3& z, const Vec3& x_hint) {
     return A;
 }
 
-// half a bar that is shown with its slide only, in radii of the pin
+// half the length of a bar that is drawn only near its slide, in radii of the pin
 constexpr double kStub = 4.2;
 
 /// Draws the glyph of one joint. `g` is the radius of a pin.
@@ -71,19 +71,20 @@ private:
     bool has_own_shapes(int body) const {
         return !lesson_->looks[static_cast<std::size_t>(body)].shapes.empty();
     }
-    /// All that body j ever covers of the line through P_i along s_i, and a bit more: fixed in body i.
+    /// The part of the line through P_i along s_i that body j ever covers, and a bit more: fixed in body i.
     std::pair<Vec3, Vec3> travel(double beyond) const {
         const JointStyle& range = style_->joints[static_cast<std::size_t>(j_.index)];
         return {j_.P_i + (range.lowest - beyond) * j_.s_i, j_.P_i + (range.highest + beyond) * j_.s_i};
     }
-    /// Ends of the guide; only the part outside body j where the lesson drew body i and therefore its guide.
+    /// Ends of the guide. If the lesson draws body i, it draws the guide, too: then only a short part at body
+    /// j.
     std::pair<Vec3, Vec3> guide() const {
         if (!has_own_shapes(j_.joint->body_i)) { return travel(5.5 * g_); }
         const Vec3 middle = j_.P_i + j_.displacement() * j_.s_i;
         return {middle - kStub * g_ * j_.s_i, middle + kStub * g_ * j_.s_i};
     }
-    /// Direction from a point of the joint towards the body it belongs to; zero if that body is all around
-    /// it.
+    /// Direction from a point of the joint towards the body that it belongs to; zero if the body surrounds
+    /// the point.
     Vec3 towards_body(int body, const Vec3& P, const BodyFrame& frame) const {
         const Vec3 way = frame.point(centre_of(style_->bodies[static_cast<std::size_t>(body)])) - P;
         return way.norm() > 0.1 * g_ ? Vec3(way.normalized()) : Vec3::Zero();
@@ -146,7 +147,7 @@ private:
     }
     /// The massless link of a composite joint.
     void link() { add(render::Rod{j_.P_i, j_.P_j, 0.7 * g_}, palette::kSteel); }
-    /// Its end about a pin of one of the bodies.
+    /// The end of the link around a pin of one of the bodies.
     void eye(const Vec3& P, const Vec3& s, const render::Colour& pin_colour) {
         bar(P, s, 2.6 * g_, g_, pin_colour);
         tube(P, s, 1.4 * g_, palette::kSteel);
@@ -165,7 +166,7 @@ private:
         link();
         const Vec3 d = j_.P_j - j_.P_i;
         const Vec3 along = d.norm() > 0.0 ? Vec3(d.normalized()) : Vec3(Vec3::UnitZ());
-        // one arm of the cross turns in body i: as nearly fixed there as the link lets it be
+        // one arm of the cross turns in body i: it is drawn as nearly fixed there as the link allows
         const Mat3 A = axes_with_z(along, j_.frame_i.A.col(0));
         bar(j_.P_i, A.col(0), 2.8 * g_, 0.75 * g_, colour_i_);
         bar(j_.P_i, A.col(1), 2.8 * g_, 0.75 * g_, palette::kSteel);
@@ -179,7 +180,7 @@ private:
     }
     void bead_on_plate() {
         add(render::Sphere{j_.P_j, 1.7 * g_}, colour_j_);
-        // a plane that the lesson drew is there already
+        // the lesson has drawn the plane already
         if (has_own_shapes(j_.joint->body_i)) { return; }
         const render::Colour colour = render::with_alpha(colour_i_, 0.5F);
         const double half = style_->joints[static_cast<std::size_t>(j_.index)].farthest + 4.0 * g_;
@@ -196,7 +197,7 @@ private:
     render::Scene* scene_;
 };
 
-/// A round bar of a body that has the joint's axis for its own.
+/// A round bar of a body along the joint's axis.
 struct Shaft {
     Vec3 from, to;
     double radius = 0.0;
@@ -229,10 +230,10 @@ Shaft shaft_of(const Lesson& lesson, int body, const BodyFrame& frame, const Vec
     return best;
 }
 
-/// The thread is cut on the bar that the lesson drew, on whichever body it is; without one it gets its own.
+/// The thread is cut on the bar that the lesson drew, on either body; if there is none, a bar is added.
 void Glyph::thread() {
     constexpr double thread_height = 1.12;  // crest to the surface of the bar
-    constexpr double slender = 4.0;         // less than that is a nut, not a bolt
+    constexpr double slender = 4.0;         // below this it is a nut, not a bolt
     const double pitch = 2.0 * std::numbers::pi * j_.joint->geometry.alpha;
     const Shaft on_i = shaft_of(*lesson_, j_.joint->body_i, j_.frame_i, j_.P_i, j_.s_i);
     const Shaft on_j = shaft_of(*lesson_, j_.joint->body_j, j_.frame_j, j_.P_j, j_.s_j);

@@ -41,7 +41,7 @@ inline double pin_radius(double unit) { return 0.011 * unit; }
 /// Radius of the shaft of a vector.
 inline double vector_radius(double unit) { return 0.0042 * unit; }
 
-/// Beside a line on the picture: perpendicular to it and to the view, unit.
+/// Unit direction to the side of a line on the picture: perpendicular to the line and to the view.
 Vec3 beside(const PictureStyle& style, const Vec3& line);
 
 render::Colour colour_of_body(const Lesson& lesson, int body);
@@ -59,7 +59,7 @@ void add_joint(
 
 /// Points and vectors of the joint that the step is about, with their names.
 void add_vectors(const PictureStyle& style, const PlacedJoint& joint, Picture& picture);
-/// A dashed line where the two points of a joint should meet and do not.
+/// A dashed line where the two points of a joint should meet but do not.
 void add_gap(const PictureStyle& style, const PlacedJoint& joint, Picture& picture);
 
 /// Adds the symbol of a driver: an arc for an angle, an arrow for a distance.
@@ -78,12 +78,12 @@ void add_distance(
 /// Springs as coils, dampers as dashpots, rotational springs as spirals.
 void add_springs(const Lesson& lesson, const PictureStyle& style, const State& state, render::Scene& scene);
 
-/// Lengths of the arrows of forces and torques, from what is usual in the story.
+/// Sets the lengths of the arrows of forces and torques from typical values of the story.
 void set_reaction_scales(const Story& story, PictureStyle& style);
 /// Adds the reactions of joints and drivers on their second bodies, in dynamics.
 void add_reactions(const PictureStyle& style, const Reactions& reactions, Picture& picture);
 
-/// Some bodies of a mechanism; made without a list, all of them.
+/// Some bodies of a mechanism; by default all of them.
 class BodyChoice {
 public:
     BodyChoice() = default;
@@ -94,8 +94,8 @@ private:
     std::vector<bool> chosen_;
 };
 
-/// All of a step but the ground plane and the path.
-/// @param bodies  shown, with their joints; what the step is about is always
+/// Everything of a step except the ground plane and the path.
+/// @param bodies  shown, with their joints; what the step is about is always shown
 Picture compose(
     const Story& story, const PictureStyle& style, const Step& step, int index,
     const BodyChoice& bodies = {});

@@ -7,14 +7,14 @@ namespace jw::picture {
 namespace {
 
 constexpr render::Colour kForce = render::from_hex(0x8E4585);
-constexpr std::size_t kMoments = 40;   // enough to know what is usual
+constexpr std::size_t kMoments = 40;   // enough to find the typical size
 constexpr double kUsual = 0.25;        // of the unit: nine tenths of the story stay below
-constexpr double kLongest = 0.60;      // of the unit: what is larger ends there
-constexpr double kNothing = 0.015;     // of the unit: shorter arrows would be nothing but a dot
+constexpr double kLongest = 0.60;      // of the unit: longer arrows are cut to this
+constexpr double kNothing = 0.015;     // of the unit: shorter arrows would be only a dot
 constexpr double kSecondHead = 0.045;  // of the unit: a torque has two heads
 constexpr float kOneOfMany = 0.35F;
 
-/// The part of a wrench's vector that is the same in every answer.
+/// The part of a wrench's vector that is the same in every solution.
 Vec3 unique_part(const Vec3& vector, const Mat3& axes, const std::array<bool, 3>& unique) {
     Vec3 part = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
@@ -23,7 +23,8 @@ Vec3 unique_part(const Vec3& vector, const Mat3& axes, const std::array<bool, 3>
     return part;
 }
 
-/// Value that nine tenths of the values stay below: near singular positions reactions grow without bound.
+/// The value below which nine tenths of the values lie: near singular positions, reactions grow without
+/// bound.
 double usual(std::vector<double> values) {
     if (values.empty()) { return 0.0; }
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(9 * (values.size() - 1) / 10);
@@ -45,8 +46,8 @@ void add_arrow(
     }
 }
 
-/// Adds a force or torque: its unique components in full colour; the smallest solution, pale, where redundant
-/// equations leave them open.
+/// Adds a force or torque: its unique components in full colour, and in pale the smallest solution where
+/// redundant equations leave components open.
 void add_effect(
     const PictureStyle& style, const Reaction& reaction, const Vec3& vector,
     const std::array<bool, 3>& unique, double scale, bool two_heads, Picture& picture) {
@@ -77,7 +78,7 @@ void set_reaction_scales(const Story& story, PictureStyle& style) {
     }
     const double force = usual(forces);
     style.newton = force > 0.0 ? kUsual * style.unit / force : 0.0;
-    // torques that are rounding of the forces' moments are not drawn as if they were large
+    // torques that are only rounding of the moments of forces must not look large
     const double torque = std::max(usual(torques), 1e-3 * force * style.unit);
     style.newton_metre = torque > 0.0 ? kUsual * style.unit / torque : 0.0;
 }

@@ -56,7 +56,7 @@ struct Attachment {
     Vec3 across;
 };
 
-/// Joints on a body; of several at one point the first.
+/// Joints on a body; of several at one point only the first.
 std::vector<Attachment> attachments_of(const Lesson& lesson, int body, double unit) {
     std::vector<Attachment> found;
     const auto add = [&](const Vec3& point, const Vec3& across) {
@@ -139,7 +139,7 @@ bool Solid::contains(const Vec3& point) const {
 }
 
 double Solid::reach(const Vec3& from, const Vec3& direction, double limit) const {
-    constexpr int steps = 40;  // fine enough for a gap that is seen, not measured
+    constexpr int steps = 40;  // fine enough for a gap that is only seen
     for (int k = 0; k < steps; ++k) {
         const double distance = limit * k / steps;
         if (!contains(from + distance * direction)) { return distance; }
@@ -151,7 +151,7 @@ double Solid::clearance(const Vec3& from, const Vec3& to, double limit) const {
     constexpr int samples = 8;
     int hidden = 0;
     double widest = 0.0;
-    // the first quarter starts inside every joint; the rest is what is looked at
+    // the first quarter begins inside every joint; only the rest counts
     for (int k = samples / 4; k <= samples; ++k) {
         const Vec3 at = from + (to - from) * k / samples;
         if (!contains(at)) { continue; }
@@ -171,7 +171,7 @@ double Solid::way_out(const Vec3& at, const Vec3& line, double limit) const {
         const auto [sine, cosine] = elementary::sine_and_cosine(angle);
         ways[k] = reach(at, cosine * u + sine * v, limit);
     }
-    // a plate or a fork goes on and on in a few of them
+    // in a few directions, a plate or a fork reaches far
     std::ranges::sort(ways);
     return ways[5 * directions / 8];
 }

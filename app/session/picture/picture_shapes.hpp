@@ -28,7 +28,8 @@ public:
     double clearance(const Vec3& from, const Vec3& to, double limit) const;
 
 private:
-    /// Distance from a hidden point of a line to where one is outside in most directions across the line.
+    /// Distance from a hidden point of a line that leads out of the shapes in most directions across the
+    /// line.
     double way_out(const Vec3& at, const Vec3& line, double limit) const;
 
     struct Part {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr render::Colour kWire = render::from_hex(0x5B6672);
 constexpr double kWireWidth = 2.4;
-/// Sizes in the unit of the picture, shares of the length.
+/// Sizes relative to the picture's unit, or to the length of the spring.
 constexpr double kCoilRadius = 0.028;
 constexpr double kStraightEnd = 0.14;
 constexpr int kCoils = 9;
@@ -28,7 +28,7 @@ void add_wire(std::vector<Vec3> points, render::Scene& scene) {
 /// Adds a coil spring; the number of coils does not depend on how far it is stretched.
 void add_coils(const PictureStyle& style, const Vec3& from, const Vec3& to, render::Scene& scene) {
     const Vec3 way = to - from;
-    // facing the eye, so that they do not jump where the spring turns
+    // the coils face the eye, so that they do not jump when the spring turns
     const Vec3 first = beside(style, way);
     const Vec3 second = way.normalized().cross(first);
     const double radius = kCoilRadius * style.unit;
@@ -54,8 +54,7 @@ void add_dashpot(const PictureStyle& style, const Vec3& from, const Vec3& to, re
          kWire});
 }
 
-/// Adds a spiral from the shaft, which is body j, out to what belongs to body i. Angles are known up to whole
-/// turns.
+/// Adds a spiral from the shaft, which is body j, out to body i. Angles are known only up to whole turns.
 void add_spiral(const PictureStyle& style, const PlacedJoint& j, render::Scene& scene) {
     const Vec3 v = j.s_i.cross(j.u_i);
     const double theta = elementary::atan2(j.u_j.dot(v), j.u_j.dot(j.u_i));

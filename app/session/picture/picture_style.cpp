@@ -12,22 +12,22 @@ namespace {
 
 using namespace picture;
 
-// bounds of the motion from so many moments: between them nothing goes far
+// the bounds of the motion come from about this many moments: nothing goes far between them
 constexpr std::size_t kMomentsSeen = 250;
 // of the unit, and of |p|: nobody sees a thousandth of a pixel
 constexpr double kStands = 1e-6;
 // a Newton iteration that throws bodies away farther than this would make everything else small
 constexpr double kWildIteration = 1.6;
-// the ground's axes are shown if they do not make the mechanism small either
+// the ground's axes are shown unless they would make the mechanism small, too
 constexpr double kFarOrigin = 1.35;
-constexpr double kVisible = 0.2;  // of the unit: length of a vector that should be in sight
+constexpr double kVisible = 0.2;  // of the unit: length of a vector that should be visible
 constexpr double kAsideLimit = 0.08;
 constexpr double kSideLimit = 0.14;
 
-/// A step whose pose is in sight.
+/// A step whose pose is shown.
 struct Moment {
     int step = 0;
-    BodyChoice moved;  ///< those that stand elsewhere than at the moments before
+    BodyChoice moved;  ///< bodies that are elsewhere than at the moments before
 };
 /// The steps whose poses bound all others.
 struct Moments {
@@ -38,7 +38,7 @@ struct Moments {
 /// Most steps of a large lesson add a joint and leave nearly everything where it is.
 std::vector<Moment> seen_in(const Story& story, const std::vector<int>& steps, double unit) {
     std::vector<Moment> moments;
-    State last;  // of each body where it was when it moved last
+    State last;  // the pose of each body when it moved last
     for (const int k : steps) {
         const State& now = story.steps()[at(k)].state;
         std::vector<bool> moved(now.r.size(), true);
@@ -80,7 +80,7 @@ void set_shapes(const Story& story, PictureStyle& style) {
     }
 }
 
-/// Size of the bodies over the story, wherever iterations throw them in between.
+/// Size of the bodies over the story, without the poses of iterations.
 double size_of_bodies(const Story& story, const PictureStyle& style, const Moments& moments) {
     render::Bounds bounds;
     for (const Moment& moment : moments.closed) {
@@ -96,8 +96,9 @@ double size_of_bodies(const Story& story, const PictureStyle& style, const Momen
 
 /// When a joint comes into the story.
 struct Arrival {
-    int additions = std::numeric_limits<int>::max();  ///< present from so many on
-    /// The pose at which it is closed first, as it is looked at most; the last of the story if it never is.
+    int additions = std::numeric_limits<int>::max();  ///< present from this number on
+    /// The pose at which it is first closed, which is looked at most; the last of the story if it never
+    /// closes.
     const State* closed = nullptr;
 };
 
@@ -116,7 +117,7 @@ std::vector<Arrival> arrivals_in(const Story& story) {
     return arrivals;
 }
 
-/// Lift of a vector that leaves the bodies at `side` from P and may run in a handle from there on.
+/// Lift of a vector that leaves the bodies at `side` from P, but may be inside a handle after that.
 double lift_of(const Solid& solid, const Vec3& P, const Vec3& direction, double side, double unit) {
     const Vec3 from = P + side * direction;
     return solid.clearance(from, from + 0.5 * kVisible * unit * direction, kAsideLimit * unit);
@@ -170,7 +171,7 @@ void set_bounds(const Story& story, const Moments& moments, PictureStyle& style)
     style.ground_axes = false;
     render::Bounds bounds = bounds_of(story, style, moments.closed);
     style.ground_axes = true;
-    // these stay where they are: one moment is as good as all
+    // the axes do not move: one moment is enough
     render::Bounds with_axes = bounds;
     with_axes.include(bounds_of(story, style, {moments.closed.front()}));
     style.ground_axes = with_axes.diagonal() < kFarOrigin * bounds.diagonal();
@@ -196,7 +197,7 @@ void set_traced_point(const Story& story, PictureStyle& style) {
             }
             last = &step;
         }
-        // the first of equally long ones, whatever the rounding
+        // the first of equally long paths, whatever the rounding
         if (length > 1.001 * longest) {
             longest = length;
             style.traced_body = body;
@@ -217,7 +218,7 @@ PictureStyle picture_style(const Story& story) {
     PictureStyle style;
     style.up = story.lesson().camera.up.value_or(Vec3::UnitZ()).normalized();
     style.view = view_direction(story, style.up);
-    // sizes first: what has none in the lesson is drawn in proportion to the mechanism itself
+    // sizes first: shapes that the lesson does not give are drawn in proportion to the mechanism itself
     style.unit = extent(mechanism);
     const Moments moments = moments_of(story, style.unit);
     set_shapes(story, style);

@@ -15,7 +15,7 @@ constexpr double kSideLength = 0.10;  // of h and u beyond the surface of the bo
 constexpr double kApart = 0.024;      // between two vectors that would lie on each other
 constexpr double kPoint = 0.010;      // radius
 constexpr double kOnePoint = 0.012;   // nearer points are seen as one
-constexpr double kShort = 0.05;       // shorter vectors would be nothing but head
+constexpr double kShort = 0.05;       // shorter vectors would be only a head
 
 /// A direction as it is seen on the picture, unit; zero if it is seen end-on.
 Vec3 on_picture(const PictureStyle& style, const Vec3& direction) {
@@ -81,7 +81,7 @@ private:
     void axes(const JointType& type) {
         const bool uses_i = type.uses(kAxisI);
         const bool uses_j = type.uses(kAxisJ);
-        // one on either side of what both lie in
+        // one on each side of their common line
         const double half = uses_j ? 0.5 * kApart * unit_ * axes_overlap() : 0.0;
         const double sense = beside(style_, j_.s_i).dot(beside(style_, j_.s_j)) < 0.0 ? -1.0 : 1.0;
         if (uses_i) {
@@ -99,7 +99,7 @@ private:
                 *picture_);
         }
     }
-    /// Longer where it is seen nearly end-on, so that it does not shrink to its head on the picture.
+    /// Longer if it is seen nearly end-on, so that more than its head is visible on the picture.
     double length_of(const Vec3& s) const {
         constexpr double long_enough = 0.6;
         const double seen = s.cross(style_.view).norm() / style_.view.norm();
@@ -118,7 +118,7 @@ private:
         const double along = overlap(seen(j_.s_i), seen(d), 0.0, kApart * unit_);
         return way * along * (aside_i_ + kApart * unit_) * side;
     }
-    /// One below and one above where both lie on each other, as u_i and u_j at the angle zero.
+    /// One below and one above if both lie on each other, like u_i and u_j at angle zero.
     void sides(const std::string& name, const Vec3& i, const Vec3& j) {
         const double length = joint_style_.side + kSideLength * unit_;
         const double same = i.dot(j) > 0.0 ? overlap(i, j, 0.0, kApart * unit_) : 0.0;

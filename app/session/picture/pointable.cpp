@@ -9,11 +9,11 @@ namespace jw {
 
 namespace {
 
-// kinds of links that are drawn in 3D, in the lowest digits of their number
+// the lowest digit of a number is the kind of the link, for links that are drawn in 3D
 constexpr int kRadix = 8;
 constexpr int kBody = 1;
 constexpr int kJoint = 2;
-constexpr int kVector = 3;  // and the two after it, one per part
+constexpr int kVector = 3;  // and the next two numbers, one per part
 
 std::vector<int> rows_of(const System& system, const SymbolPart& part) {
     std::vector<int> rows;

@@ -7,7 +7,7 @@
 #include "lessons/things.hpp"
 
 /// Places on the screen that belong together: a number in a panel, its symbol in the formula, its row in the
-/// matrix, its vector and its bodies in 3D. Pointing at one lights up the others.
+/// matrix, its vector and its bodies in 3D. Pointing at one highlights the others.
 namespace jw {
 
 /// Something that can be pointed at.
@@ -20,8 +20,7 @@ struct Pointable {
         joint,     ///< index: in the mechanism
         vector,    ///< index: joint; part: kVectorI, kVectorJ, kVectorD
         symbol,    ///< index: in View::symbols
-        equation,  ///< of a joint, that is no row of the system; index: joint; part: number among its
-                   ///< equations
+        equation,  ///< of a joint, not a row of the system; index: joint; part: number of its equation
     };
     static constexpr int kVectorI = Thing::kVectorI;  ///< fixed in body i
     static constexpr int kVectorJ = Thing::kVectorJ;  ///< fixed in body j
@@ -53,15 +52,15 @@ int angular_of(CoordinateChoice choice);
 /// What a symbol stands for.
 std::vector<Pointable> links_of(const SymbolView& symbol, const System& system);
 
-/// Set of all things that light up together.
+/// Set of all things that are highlighted together.
 class Emphasis {
 public:
     Emphasis() = default;
-    /// Lights everything that belongs to `pointed_at`.
+    /// Highlights everything that belongs to `pointed_at`.
     /// @param angular see angular_of
     Emphasis(const System& system, int angular, const Pointable& pointed_at);
 
-    /// Adds what belongs to something else.
+    /// Adds everything that belongs to `link`.
     void light(const System& system, int angular, const Pointable& link);
 
     bool contains(const Pointable& link) const;

@@ -19,7 +19,7 @@ std::optional<Thing> thing_of_symbol(
     return std::nullopt;
 }
 
-/// All that a place can mean, each kind at most once.
+/// The thing that a place itself stands for.
 std::optional<Thing> thing_of_place(const Step& step, const View& view, const Pointable& place) {
     const Mechanism& mechanism = step.system->mechanism();
     const auto k = static_cast<std::size_t>(place.index);
@@ -44,7 +44,7 @@ std::optional<Thing> thing_of_place(const Step& step, const View& view, const Po
     return std::nullopt;
 }
 
-/// Of a row of a joint.
+/// Place of a joint's row, as an equation of the joint.
 Pointable place_of_equation(const Mechanism& mechanism, const Thing& row) {
     const Joint& joint = mechanism.joints[static_cast<std::size_t>(row.index)];
     const std::vector<LabelledEquation> all = equations_of(*joint.type, joint.parallel_form);

@@ -13,14 +13,14 @@ namespace jw {
 
 namespace {
 
-// of two joints nearer than this, in the picture's unit, the vectors would be in each other's way
+// if two joints are nearer than this, in the picture's unit, their vectors would hide each other
 constexpr double kApartWithVectors = 0.25;
 // the rest is the colour of the body
 constexpr float kInkOfBodyNames = 0.6F;
 constexpr float kInkOfAxisNames = 0.3F;
 
-/// The lesson's scene at rest: nothing is added, asked or moved. Everything must be in sight, so of the
-/// author's camera the direction is kept.
+/// The lesson's scene at rest: nothing is added, asked or moved. Everything must be visible, so only the
+/// direction of the author's camera is kept.
 Lesson still_of(const Lesson& lesson, bool as_given) {
     Lesson still = lesson;
     still.order.clear();
@@ -35,7 +35,7 @@ Lesson still_of(const Lesson& lesson, bool as_given) {
     return still;
 }
 
-/// What the guides and planes of the joints must reach at this pose, assembled or not.
+/// Sets how far the guides and planes of the joints must reach at this pose, assembled or not.
 void fit_joints(const Mechanism& mechanism, const State& state, PictureStyle& style) {
     for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
         const picture::PlacedJoint joint = picture::placed(mechanism, j, state);
@@ -56,7 +56,7 @@ Step whole_step(const Story& story) {
     return step;
 }
 
-/// A joint is where its points meet; one that slides is on body j; of a link, the middle.
+/// Place of a joint's name: where its points meet; on body j if it slides; in the middle of a link.
 Vec3 place_of(const picture::PlacedJoint& joint) {
     const JointType& type = *joint.joint->type;
     const bool between =
@@ -70,7 +70,7 @@ Annotation name_of(const picture::PlacedJoint& joint) {
     return name;
 }
 
-/// Dashes between the points of a joint that are apart, or that nothing but the joint's name would connect.
+/// Adds dashes between points of a joint that are apart, or that only the joint's name would connect.
 void add_connection(const PictureStyle& style, const picture::PlacedJoint& joint, render::Scene& scene) {
     const JointType& type = *joint.joint->type;
     if (type.glyph == JointGlyph::none && !type.uses(kD)) {
@@ -82,7 +82,7 @@ void add_connection(const PictureStyle& style, const picture::PlacedJoint& joint
     std::ranges::move(gap.scene.polylines, std::back_inserter(scene.polylines));
 }
 
-/// Of names that say the same at the same place the first stays: joints may share points and axes.
+/// Keeps the first of equal names at the same place: joints may share points and axes.
 void leave_out_repeated(const PictureStyle& style, std::vector<Annotation>& names) {
     constexpr double same_place = 0.03;  // of the unit
     std::vector<Annotation> once;
@@ -96,7 +96,7 @@ void leave_out_repeated(const PictureStyle& style, std::vector<Annotation>& name
     names = std::move(once);
 }
 
-/// Adds the ends of the ground's axes, as far as they are not seen end-on.
+/// Adds names at the ends of the ground's axes, except at those that are seen end-on.
 void add_axis_names(const PictureStyle& style, const render::Scene& scene, std::vector<Annotation>& names) {
     constexpr std::array words{"x", "y", "z"};
     constexpr double end_on = 0.3;  // sine of the angle to the view
@@ -112,8 +112,8 @@ void add_axis_names(const PictureStyle& style, const render::Scene& scene, std::
     }
 }
 
-/// Names in the order in which they find their places: vectors and points, joints, axes, and bodies, which
-/// have much room around them.
+/// Adds the names in the order in which they find their places: vectors and points, joints, axes, and then
+/// bodies, which have much room around them.
 void add_all_names(
     const Lesson& lesson, const PictureStyle& style, const std::vector<picture::PlacedJoint>& joints,
     std::vector<Annotation> bodies, Picture& picture) {
@@ -128,7 +128,7 @@ void add_all_names(
     leave_out_repeated(style, names);
 }
 
-/// Joints whose vectors are shown: one or two far apart; of more, those that consist of vectors alone.
+/// Joints whose vectors are shown: one, or two far apart; otherwise those that consist of vectors alone.
 std::vector<int> joints_with_vectors(
     const Story& story, const PictureStyle& style, const std::vector<picture::PlacedJoint>& joints) {
     if (joints.size() == 1) { return {0}; }

@@ -6,12 +6,12 @@
 
 namespace jw {
 
-/// A lesson's scene at rest, as figures of exercises show it: bodies, joints, their names and vectors;
-/// nothing that tells numbers, rank or rows.
+/// A lesson's scene at rest, as figures of exercises show it: bodies, joints, their names and vectors, but no
+/// numbers, rank or rows.
 class Still {
 public:
     /// @param as_given  true: all joints and drivers at the poses of the file, whether they fit or not;
-    ///                  false: everything put together, and as given where that is impossible
+    ///                  false: everything assembled, or as given if that is impossible
     Still(const Lesson& lesson, bool as_given);
     ~Still();
     Still(const Still&) = delete;
@@ -19,11 +19,11 @@ public:
 
     const Picture& picture() const { return picture_; }
     const PictureStyle& style() const { return style_; }
-    /// The camera in which everything is in sight.
+    /// The camera that shows everything.
     render::Camera camera(const render::Rect& viewport, const render::Rect& safe) const;
 
 private:
-    std::unique_ptr<const Lesson> lesson_;  ///< that the story is told of
+    std::unique_ptr<const Lesson> lesson_;  ///< the lesson of the story
     std::unique_ptr<const Story> story_;
     PictureStyle style_;
     Picture picture_;

@@ -12,9 +12,9 @@ std::optional<Addition> subject_of(const Lesson& lesson, const Step& step) {
     return lesson.order[static_cast<std::size_t>(step.additions - 1)];
 }
 
-/// Tells the questions (or the answers) that belong here, at the pose of the last step.
+/// Adds the questions (or the answers) that belong here, at the pose of the last step.
 void StoryTelling::ask(Question::Place place, const Addition* added, Step::Kind kind) {
-    // those who want poses alone are not asked
+    // a story of poses alone has no questions
     if (!options_.keep_steps) { return; }
     for (std::size_t k = 0; k < lesson_->questions.size(); ++k) {
         const Question& question = lesson_->questions[k];

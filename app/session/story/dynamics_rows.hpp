@@ -10,16 +10,16 @@
 /// Rows of a table over a motion by masses and forces.
 namespace jw {
 
-/// Instant of a run at one of its times: the energies as the run sums them, the accelerations of its
-/// equations.
-/// @param with_accelerations they cost an evaluation
+/// Instant of a run at one of its times, with the energies that the run has summed up and the accelerations
+/// of its equations.
+/// @param with_accelerations they cost one evaluation
 Instant instant_of(
     Simulation& simulation, const Snapshot& snapshot, const std::vector<double>& y,
     std::shared_ptr<const Centroidal> scene, std::shared_ptr<const System> system, bool with_accelerations);
 
-// Tolerances of the run that is trusted, and of the one that shows how far it can be trusted. Past a change
-// point (lesson four-bar-1) 1e-8 leaves 1e-6 of the scene, as much as claims allow; this leaves a tenth of
-// it.
+// Tolerances of the trusted run, and of the run that shows how far it can be trusted. After a change point
+// (lesson four-bar-1), 1e-8 leaves an error of 1e-6 of the scene, as much as claims allow; the tolerances
+// below leave a tenth of it.
 inline constexpr double kTightRun = 1e-10;
 inline constexpr double kLooseRun = 3e-9;
 
@@ -27,8 +27,8 @@ struct RunLimits {
     double tolerance = kTightRun;
     long most_steps = 0;
 };
-/// Instants at `times`, which ascend, of the lesson's motion by masses and forces: by explicit-8 or the
-/// implicit method of the lesson.
+/// Instants of the lesson's motion by masses and forces at ascending `times`, by explicit-8 or by the
+/// lesson's implicit method.
 /// @return why the run ended early, or nothing
 std::string instants_by_forces(
     const Lesson& lesson, const RunLimits& limits, const std::vector<double>& times,
@@ -37,7 +37,7 @@ std::string instants_by_forces(
 /// The rows of `simulate`, one after the other.
 class DynamicsRows {
 public:
-    /// @param further columns besides; `lesson` and `simulation` must outlive the rows
+    /// @param further additional columns; `lesson` and `simulation` must outlive the rows
     DynamicsRows(const Lesson& lesson, const std::vector<NamedQuantity>& further, Simulation& simulation);
 
     std::vector<std::string> columns() const;

@@ -18,10 +18,12 @@ struct DynamicsRequest {
     double duration = 1.0;  ///< [s]
     int samples = 100;      ///< equal intervals
     bool reactions = false;
-    std::vector<NamedQuantity> quantities = {};  ///< columns besides
-    /// Somebody chose the method. If nobody did, one that stability would make crawl gives way to implicit-5.
+    std::vector<NamedQuantity> quantities = {};  ///< additional columns
+    /// Somebody chose the method. If nobody did, a method that stability makes very slow is replaced by
+    /// implicit-5.
     bool method_chosen = false;
-    /// Called as soon as it is known: a note on the start, or that the run will take long and what helps.
+    /// Called with each note as soon as it is known: on the start, or that the run will take long and what
+    /// helps.
     std::function<void(const std::string& note)> tell = {};
     std::function<void(double fraction)> progress = {};
 };
@@ -31,7 +33,7 @@ inline constexpr long kMostStepsUnasked = 1'000'000;
 /// @throws std::invalid_argument if the lesson has no [dynamics]
 DynamicsRequest request_of(const Lesson& lesson);
 
-/// One line per time, as `columns` say. A column is found by its name, see column_of.
+/// One row per time, with the values that `columns` names. column_of finds a column by its name.
 struct DynamicsTable {
     std::vector<std::string> columns;
     std::vector<std::vector<double>> rows;
@@ -40,25 +42,25 @@ struct DynamicsTable {
     std::string failure;     ///< what went wrong, where and why; empty if nothing did
     std::string start_note;  ///< see start_note
     std::string pace_note;   ///< that the run would take long, or that another method was taken
-    std::string fit_note;    ///< that a loop does not quite fit, where that decides about its branch
-    /// Joints whose reactions are one of many answers; only if reactions were asked for.
+    std::string fit_note;    ///< that a loop does not quite fit, if that decides its branch
+    /// Joints whose reactions are not unique; only if reactions were asked for.
     std::vector<std::string> not_unique;
     /// Largest row of M q̈ − Q that the reactions do not explain, relative to |M q̈| + |Q|, and its bound;
     /// only if reactions were asked for.
     std::optional<double> reaction_residual;
     double reaction_bound = 0.0;
-    std::string reaction_note;  ///< that it is larger than that, and where first; mostly empty
+    std::string reaction_note;  ///< that the residual exceeds its bound, and where first; mostly empty
 
-    /// Place of a column in every row. @throws std::invalid_argument if there is none of that name
+    /// Place of a column in every row. @throws std::invalid_argument if there is none with that name
     std::size_t column_of(std::string_view name) const;
 };
 
 DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request);
 
-/// Equal times from 0 to `duration`.
+/// Times at equal intervals from 0 to `duration`.
 std::vector<double> equal_times(double duration, int intervals);
 
-/// The mechanism with its bodies where a state has them.
+/// The mechanism with its bodies at the poses of a state.
 Mechanism placed_at(const Mechanism& mechanism, const State& state);
 
 /// Says which start values the constraints do not allow and what is used instead; empty if all are used as
@@ -72,8 +74,8 @@ std::string bodies_note(double t);
 /// Why a simulation ended early, with what to do about it.
 std::string failure_text(
     const SimulationFailure& failure, const SimulationSettings& settings, const Mechanism& mechanism);
-/// Failure text of a lesson that was not put together before its run: a driver that starts out of reach is
-/// told as the story tells it.
+/// Failure text of a lesson that was not assembled before its run: a driver that starts out of reach is
+/// described as in the story.
 std::string failure_text(
     const SimulationFailure& failure, const SimulationSettings& settings, const Lesson& lesson);
 

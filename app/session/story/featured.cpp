@@ -6,12 +6,12 @@ namespace jw {
 
 namespace {
 
-// of more than two joints the vectors and formulas would be in each other's way
+// the vectors and formulas of more than two joints would hide each other
 constexpr std::size_t kMostAtOnce = 2;
 
 bool is_few(const std::vector<int>& joints) { return !joints.empty() && joints.size() <= kMostAtOnce; }
 
-/// Joints without a glyph: without their vectors nothing is seen of them.
+/// Joints without a glyph: only their vectors are visible.
 std::vector<int> bare_joints(const Mechanism& mechanism) {
     std::vector<int> bare;
     for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {

@@ -6,8 +6,8 @@
 
 namespace jw {
 
-/// Joints whose vectors and equations are shown while everything moves: the one that was chosen by hand; else
-/// the one or two that consist of their vectors alone, n1, n2, p1 and p2 (where there are more, those with a
+/// Joints whose vectors and equations are shown during the motion: the joint that was chosen by hand; else
+/// the one or two joints that consist of vectors alone, n1, n2, p1 and p2 (if there are more, those with a
 /// choice of rows, if these are one or two); else the story's own featured joint. Empty if there is none.
 std::vector<int> featured_joints(const Story& story);
 

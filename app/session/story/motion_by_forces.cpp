@@ -9,7 +9,7 @@ namespace jw {
 
 namespace {
 
-// limit of a story that is told again at every change: a scene that was made stiff or endless ends early
+// limit of a story, which is told again at every change: a scene that was made stiff or endless ends early
 constexpr long kMostStepsOfStory = 10'000;
 // of all bodies in all moments of a curve: more would take hundreds of megabytes
 constexpr int kMostPosesOfCurve = 100'000;
@@ -24,7 +24,7 @@ int moments_between(const StoryOptions& options, int intervals, const Mechanism&
     return between;
 }
 
-constexpr double kFullMatrix = 0.03;  // of the cube of the bodies, see work_of_piece
+constexpr double kFullMatrix = 0.03;  // factor of the cube of the number of bodies, see work_of_piece
 
 class MotionByForces : public MotionTelling {
 public:
@@ -63,7 +63,7 @@ public:
         return true;
     }
     double progress() const override { return run_ ? told_until_ / end_ : 1.0; }
-    /// An implicit step factors a full matrix: with 60 bodies it takes as long as a hundred joints.
+    /// An implicit step factors a full matrix: with 60 bodies it takes as long as a hundred joints do.
     double work_of_piece() const override {
         const auto bodies = static_cast<double>(assembled_.bodies.size());
         const bool is_implicit = entry_of(settings_.method).kind == MethodKind::radau;
@@ -101,7 +101,7 @@ private:
         step.centroidal_acceleration = simulation_.acceleration(t, y);
         step.acceleration = simulation_.acceleration_as_given(y, step.centroidal_acceleration);
         step.velocity_verdict.unique = step.acceleration_verdict.unique = true;
-        // springs that have been wound up know their turns from the run alone
+        // only the run knows the turns of springs that have been wound up
         if (counts_turns_) { centroidal_ = std::make_shared<const Centroidal>(simulation_.scene()); }
         step.centroidal = centroidal_;
         step.energy = Energy{snapshot.kinetic, snapshot.potential};
@@ -125,7 +125,7 @@ private:
             start.acceleration = zero_motion(assembled_);
             steps.push_back(std::move(start));
         }
-        // where it ends between two steps, the last moment is the one to be shown
+        // if it ends between two steps, the last moment is shown
         if (!curve.empty() && curve.back().t > steps.back().t) { steps.push_back(curve.back()); }
         steps.back().ended = failure_text(failure, settings_, lesson_->mechanism);
     }
@@ -144,7 +144,7 @@ private:
     int samples_ = 0;
     double told_until_ = 0.0;   ///< [s]
     bool switched_ = false;     ///< a choice of rows has changed since the last step
-    bool bodies_told_ = false;  ///< that the run has left the coordinates of the joints
+    bool bodies_told_ = false;  ///< a note has said that the run left the coordinates of the joints
     std::vector<Step> steps_;   ///< received and not yet passed on
     std::vector<Step> curve_;
     std::optional<SimulationRun> run_;

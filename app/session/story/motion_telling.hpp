@@ -17,13 +17,13 @@ public:
     /// Adds what comes next, which may be nothing yet, to the steps and to the moments of the curve.
     /// @return false if there was nothing left
     virtual bool go_on(std::vector<Step>& steps, std::vector<Step>& curve) = 0;
-    /// Part of the motion that is told, from 0 to 1.
+    /// Fraction of the motion that is told, from 0 to 1.
     virtual double progress() const = 0;
     /// Estimate of what `go_on` takes, see StoryTelling::work.
     virtual double work_of_piece() const = 0;
 };
 
-/// Everything put together: where a motion begins.
+/// The assembled mechanism, from which a motion begins.
 struct Assembled {
     const Lesson& lesson;
     std::shared_ptr<const System> system;

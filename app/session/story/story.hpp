@@ -16,7 +16,7 @@
 /// close what has been added so far, and the verdict; each driver likewise; then the motion.
 namespace jw {
 
-/// The verdict on a pose, computed when somebody looks at it.
+/// The verdict on the rank of a pose, computed when it is first read.
 class RankWhenAsked {
 public:
     RankWhenAsked(std::nullptr_t = nullptr) {}  // NOLINT: "none"
@@ -38,14 +38,14 @@ private:
 
 struct Step {
     enum class Kind {
-        bodies,     ///< nothing but coordinates
+        bodies,     ///< only coordinates
         equations,  ///< a joint or driver is added: its equations at the start estimate, the choice of rows
-        iteration,  ///< one Newton iteration, or a wrong branch left
+        iteration,  ///< one Newton iteration, or leaving a wrong branch
         assembled,  ///< closed: rank before and after, freedoms, redundant equations
         failed,     ///< could not be closed; the last good pose is kept and the story ends
         motion,     ///< a moment of the motion
         question,   ///< something is asked before it is shown; the pose is that of the step before
-        answer,     ///< of that question, at the pose that has been reached
+        answer,     ///< to that question, at the pose that has been reached
     };
     Kind kind = Kind::bodies;
     int additions = 0;  ///< joints and drivers present
@@ -53,26 +53,26 @@ struct Step {
     std::shared_ptr<const System> system;
     double t = 0.0;
     State state;
-    Motion velocity;                 ///< motion only; else the lesson's own
+    Motion velocity;                 ///< motion only; at other steps the lesson's own
     Motion acceleration;             ///< motion only
-    std::vector<int> turns;          ///< motion only: of the angle of every joint, see FollowedAngles
+    std::vector<int> turns;          ///< motion only: turns of the angle of every joint, see FollowedAngles
     std::vector<RowChoice> choices;  ///< equations: of the joint's p1 and p2, in the order of its primitives
     std::vector<PositionEvent> events;  ///< iteration and later: what happened in this solve so far
     RankWhenAsked rank_before;          ///< before the addition, at its pose
     RankWhenAsked rank;                 ///< bodies, assembled, failed
     std::optional<PositionFailure> failure;
-    std::string note;            ///< motion: what else is to be said, one sentence; mostly empty
+    std::string note;            ///< motion: an additional sentence; mostly empty
     std::string ended;           ///< motion by masses and forces: why it goes no further; empty if it does
     bool rows_switched = false;  ///< motion: a p1 / p2 choice changed on the way here
     bool change_point = false;   ///< motion
     LinearVerdict velocity_verdict;
     LinearVerdict acceleration_verdict;
-    /// Motion by masses and forces: what reactions are found from when somebody looks at them.
+    /// Motion by masses and forces: data from which reactions are found when they are needed.
     std::shared_ptr<const Centroidal> centroidal;
     Motion centroidal_acceleration;
-    std::optional<Energy> energy;  ///< as the run knows it
+    std::optional<Energy> energy;  ///< as the run computed it
 
-    /// The story ends here before its time.
+    /// True if the story ends early at this step.
     bool failed() const { return failure.has_value() || !ended.empty(); }
 };
 
@@ -96,19 +96,21 @@ Selection selection_of(const Lesson& lesson, int count);
 
 struct StoryOptions {
     bool with_motion = true;
-    bool with_ranks = true;  ///< of every assembled step, for those who show them
+    bool with_ranks = true;  ///< of every assembled step, for callers that show them
     int intervals = 0;       ///< of the motion; 0: as many as the lesson says
-    /// Moments of a motion by masses and forces that are kept for curves and paths, at least; 0: its steps.
+    /// Least number of moments of a motion by masses and forces that are kept for curves and paths; 0: its
+    /// steps.
     int curve_moments = 960;
-    int additions = -1;  ///< so many joints and drivers are put together, and nothing moves; -1: all
-    /// Nobody looks beyond this step: telling may end after it, if that is before the motion. -1: everything.
+    int additions = -1;  ///< only this many joints and drivers are assembled, and nothing moves; -1: all
+    /// The last step that is needed: telling may end after it, if that is before the motion. -1: everything.
     int last_step = -1;
-    /// False: of the steps before the last their kind and number are kept, no system and no pose. For those
-    /// who want the last pose: work and memory then grow with the joints, not with their square.
+    /// False: of the steps before the last, only kind and number are kept, not system and pose. For callers
+    /// that need only the last pose: work and memory then grow with the number of joints, not with its
+    /// square.
     bool keep_steps = true;
 };
 
-/// Options of a story of poses alone, without ranks.
+/// Options of a story of poses only, without ranks.
 inline StoryOptions poses_only(bool with_motion = false) {
     StoryOptions options;
     options.with_motion = with_motion;
@@ -117,7 +119,7 @@ inline StoryOptions poses_only(bool with_motion = false) {
     return options;
 }
 
-/// Options of a story of the assembled pose alone.
+/// Options of a story of the assembled pose only.
 inline StoryOptions last_pose_only() {
     StoryOptions options = poses_only();
     options.keep_steps = false;
@@ -127,10 +129,10 @@ inline StoryOptions last_pose_only() {
 /// Motion that is shown after assembly: the lesson's prescribed motion, or the one by masses and forces.
 std::optional<MotionPlan> shown_motion(const Lesson& lesson);
 
-/// When everything is put together: the motion's first time, or 0 [s].
+/// Time at which the mechanism is assembled: the motion's first time, or 0 [s].
 double start_time(const Lesson& lesson);
 
-/// Advances to time `t` over the moments of the lesson's own intervals, so that what is found at `t` does not
+/// Advances to time `t` over the moments of the lesson's own intervals, so that the result at `t` does not
 /// depend on which other times were asked for.
 /// @return as MotionTracker::advance_to; `rows_switched` tells whether a p1 / p2 choice changed on the way
 bool advance_along(MotionTracker& tracker, const Lesson& lesson, double t, bool& rows_switched);
@@ -144,23 +146,23 @@ public:
     const Lesson& lesson() const { return *lesson_; }
     const std::vector<Step>& steps() const { return told_->steps; }
     /// Moments of a motion by masses and forces, many between two steps, from the dense output of its
-    /// integrator: what curves and paths are drawn from. Empty where the steps are all there is.
+    /// integrator: curves and paths are drawn from them. Empty if there are only the steps.
     const std::vector<Step>& curve() const { return told_->curve; }
     /// Set if the story ended early.
     const Step* failure() const;
-    /// Index of the step at which everything that is to be added first is: the last before the motion.
+    /// Index of the last step before the motion: everything that is to be added first is added there.
     int last_assembled() const;
-    /// The joint whose equations are of interest while everything moves: the first whose choice of p1 / p2
-    /// rows changes, or the only one; -1 if there is none.
+    /// The joint whose equations are of interest during the motion: the first whose choice of p1 / p2 rows
+    /// changes, or the only one; -1 if there is none.
     int featured_joint() const { return told_->featured_joint; }
-    /// The joint chosen instead of it by who looks at the story; -1 if none is.
+    /// The joint that the reader chose instead; -1 if none is.
     int chosen_joint() const { return chosen_joint_; }
     /// Chooses a joint of the mechanism; -1 leaves the choice to the story again.
     void choose_joint(int joint) { chosen_joint_ = joint; }
 
 private:
     friend class StoryTelling;
-    /// Steps and curve, which stay as they are once told.
+    /// Steps and curve, which do not change once they are told.
     struct Told {
         std::vector<Step> steps;
         std::vector<Step> curve;
@@ -174,11 +176,12 @@ private:
     int chosen_joint_ = -1;
 };
 
-/// Verdict on a pose. @param spectrum singular values and free motions of large systems, too: takes long
+/// Verdict on a pose. @param spectrum true: singular values and free motions of large systems, too, which
+/// takes long
 RankReport rank_of(const System& system, const State& state, double t, bool spectrum = false);
-/// Number of a report that a claim or a question names.
+/// The number of a report that a claim or a question names.
 int count_of(const RankReport& report, Count count);
-/// The same without redundant rows and free motions, and sooner without singular values: for many poses.
+/// The same without redundant rows, free motions and most singular values: faster, for many poses.
 RankReport rank_verdict_of(const System& system, const State& state, double t);
 
 }  // namespace jw

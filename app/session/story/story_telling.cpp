@@ -11,10 +11,10 @@ namespace jw {
 
 namespace {
 
-// iterations shown of a solve that fails: its beginning is worth a look, sixty more of the same are not
+// iterations shown of a solve that fails: the beginning is worth showing, sixty more of the same are not
 constexpr std::size_t kFirstIterations = 6;
 
-/// Leaves the first iterations of the last solve and the last one; the Newton table has all of them.
+/// Keeps the first iterations of the last solve and the last one; the Newton table has all of them.
 void thin_out_iterations(std::vector<Step>& steps) {
     std::size_t first = steps.size();
     while (first > 0 && steps[first - 1].kind == Step::Kind::iteration) { --first; }
@@ -123,7 +123,7 @@ void StoryTelling::tell_bodies() {
     told_->steps.push_back(std::move(step));
 }
 
-/// True if a joint or driver asks for nothing that the present pose does not do.
+/// True if the present pose already satisfies everything that a joint or driver asks for.
 bool StoryTelling::fits_as_it_is(const Addition& added) const {
     if (added.kind == Addition::Kind::driver) {
         const Driver& driver = lesson_->mechanism.drivers[at(added.index)];
@@ -148,9 +148,9 @@ bool StoryTelling::fits_as_it_is(const Addition& added) const {
     return is_meant(alone, state_, intended_sides(alone));
 }
 
-/// The steps of a joint or driver that fits as it is, without the system of all that are there by then: what
-/// was solved before is not looked at again.
-/// @return false, and nothing told, where something has to move
+/// Tells the steps of a joint or driver that fits as it is, without building the system of everything added
+/// so far: what was solved before is not checked again.
+/// @return false, with nothing told, if something has to move
 bool StoryTelling::tell_quietly(int count) {
     const Addition& added = lesson_->order[at(count - 1)];
     if (!is_exact_ || system_->columns(3) <= kMostDenseColumns || !fits_as_it_is(added)) { return false; }
@@ -205,12 +205,12 @@ bool StoryTelling::close_addition(int count) {
     }
     told_->steps.push_back(step);
 
-    // each iteration a step of its own
+    // each iteration is its own step
     step.kind = Step::Kind::iteration;
     const PositionObserver observer = [&](const PositionEvent& event, const State& state) {
         step.events.push_back(event);
         const auto* newton = std::get_if<NewtonStep>(&event);
-        if (newton != nullptr && newton->rank == 0) { return; }  // the last look: closed, or given up
+        if (newton != nullptr && newton->rank == 0) { return; }  // the last check: closed, or given up
         step.state = state;
         told_->steps.push_back(step);
     };

@@ -9,7 +9,7 @@ namespace jw {
 
 class MotionTelling;
 
-/// A story while it is told, piece by piece: for those who do other things in between.
+/// Tells a story piece by piece, for callers that do other work in between.
 class StoryTelling {
 public:
     /// Begins with the free bodies. `lesson` must outlive the telling and its story.
@@ -18,13 +18,13 @@ public:
     StoryTelling(const StoryTelling&) = delete;
     StoryTelling& operator=(const StoryTelling&) = delete;
 
-    /// Tells a joint or driver, or of the motion a moment or a step of its integrator.
+    /// Tells the next piece: a joint or driver, or a moment or an integrator's step of the motion.
     /// @return false if there was nothing more to tell
     bool go_on();
-    /// Part of the story that is told, from 0 to 1.
+    /// Fraction of the story that is told, from 0 to 1.
     double progress() const;
-    /// Estimate of what the pieces so far took: the bodies of the mechanism for each joint, and for each
-    /// moment of a motion; the same on every machine.
+    /// Estimate of the work for the pieces so far: the number of bodies for each joint, and for each moment
+    /// of a motion; the same on every machine.
     double work() const { return work_; }
     /// The story, once all is told.
     Story story() const { return {*lesson_, told_}; }
@@ -48,7 +48,7 @@ private:
     const Lesson* lesson_;
     StoryOptions options_;
     double start_time_ = 0.0;
-    int additions_ = 0;  ///< to be told
+    int additions_ = 0;  ///< number to be told
     int added_ = 0;
     bool ended_ = false;
     double work_ = 0.0;
@@ -68,8 +68,8 @@ struct ToldLesson {
 };
 ToldLesson tell_at_once(std::shared_ptr<const Lesson> lesson, const StoryOptions& options);
 
-/// Tells the lessons of a session, as tell_at_once or otherwise. The lesson that it returns may be another
-/// copy. What it throws ends what the session was about to do, and leaves the session as it was.
+/// Tells the lessons of a session, like tell_at_once or in another way. The returned lesson may be another
+/// copy. If it throws, the session gives up what it was about to do, and stays as it was.
 using Storyteller = std::function<ToldLesson(std::shared_ptr<const Lesson>, const StoryOptions&)>;
 
 }  // namespace jw

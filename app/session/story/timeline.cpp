@@ -9,7 +9,7 @@ namespace jw {
 
 namespace {
 
-/// Stretch that a step is part of. A question belongs to what it asks about, not to what was there before.
+/// The stretch that a step is part of. A question belongs to what it asks about, not to the steps before it.
 struct Part {
     bool moves = false;
     int additions = 0;
@@ -98,7 +98,7 @@ std::optional<int> step_at(const Story& story, const std::string& at) {
     }
     for (const Stretch& stretch : stretches_of(story)) {
         if (stretch.name != at) { continue; }
-        // at the thing itself, not at the questions before it
+        // at the joint or driver itself, not at the questions before it
         int step = stretch.first;
         while (step < stretch.last &&
                story.steps()[static_cast<std::size_t>(step)].kind == Step::Kind::question) {

@@ -6,7 +6,7 @@
 
 #include "app/session/story/story.hpp"
 
-/// The story as a line to go along: its stretches, its ends, and the places to jump to.
+/// The story as a timeline: its stretches, its ends, and the places to jump to.
 namespace jw {
 
 /// A run of steps that belong together.

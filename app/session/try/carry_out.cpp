@@ -13,11 +13,11 @@ namespace jw {
 
 namespace {
 
-// a pull goes a few steps of a fifth of the machine's size; farther than this nobody drags
+// each pull moves a few steps of a fifth of the machine's size; nobody drags farther than this
 constexpr int kMostPulls = 200;
-// of experiments that are no edits: each tells the story anew, and a link may ask for any number
+// limit of experiments that are not edits: each tells the story again, and a link may ask for any number
 constexpr std::size_t kMostMoves = 100;
-// relative to the way that is left: nobody sees a smaller gap [m per m]
+// relative to the distance at the start: a smaller gap is not visible [m per m]
 constexpr double kArrived = 1e-12;
 
 Vec3 point_at(const Session& session, const Drag& drag) {
@@ -42,8 +42,8 @@ std::string drag_to_the_end(Session& session, const Drag& drag) {
     return said;
 }
 
-/// Makes the pose in the hand the start pose. Where its story is told later, the pose is that of the step
-/// again: what led to it is done again, too.
+/// Makes the pose in the hand the start pose. If its story can only be told later, the pose of the step is
+/// restored: the whole experiment is then done again.
 std::string released(Session& session) {
     try {
         return session.apply(Release{});
@@ -61,7 +61,7 @@ ExperimentResult move(Session& session, const Experiment& experiment) {
     const auto* drag = std::get_if<Drag>(&experiment);
     const std::string said = drag != nullptr ? drag_to_the_end(session, *drag) : session.apply(experiment);
     if (!session.in_hand()) {
-        // a driven motion was led along its way
+        // the hand has led a driven motion along its path
         return {
             session.index() != index || said.empty(),
             said.empty() ? tr("the motion moved along its path") : said};

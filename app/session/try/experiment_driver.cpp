@@ -13,7 +13,7 @@ const Driver& driver_of(const Lesson& lesson, int index) {
     return lesson.mechanism.drivers.at(static_cast<std::size_t>(index));
 }
 
-/// Goes past the unit: it must follow numbers of an angle and may follow those of a length.
+/// Skips the unit: it must follow the numbers of an angle and may follow those of a length.
 /// @param per  "" or "/s"
 bool degrees_follow(Words& words, Unit unit, const std::string& per) {
     if (unit != Unit::radian) {
@@ -30,7 +30,7 @@ double value(Words& words, Unit unit, const std::string& per, const std::string&
     return degrees_follow(words, unit, per) ? radians(number) : number;
 }
 
-/// Numbers up to the next word that is none, all in one unit.
+/// Numbers up to the next word that is not a number, all in one unit.
 std::vector<double> values(Words& words, Unit unit, const std::string& what) {
     std::vector<double> all;
     const auto is_number = [&] { return words.peek().find_first_of("+-.0123456789") == 0; };

@@ -15,15 +15,15 @@ std::vector<std::string> names_of_drivers(const Lesson& lesson);
 /// "1 0 -0.5", exact.
 std::string numbers_text(const Vec3& v);
 
-/// Behind "axis", "point", "length" and "geometry".
+/// Reads what follows "axis", "point", "length" or "geometry".
 SetGeometry read_axis(Words& words, const Lesson& lesson);
 SetGeometry read_point(Words& words, const Lesson& lesson);
 SetGeometry read_length(Words& words, const Lesson& lesson);
 SetGeometry read_geometry(Words& words, const Lesson& lesson);
-/// The shortest of the four that says the same.
+/// The shortest of these four forms that says the same.
 std::string text_of(const SetGeometry& experiment, const Lesson& lesson);
 
-/// Behind "driver".
+/// Reads what follows "driver".
 SetDriver read_driver(Words& words, const Lesson& lesson);
 std::string text_of(const SetDriver& experiment, const Lesson& lesson);
 

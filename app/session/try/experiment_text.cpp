@@ -59,8 +59,8 @@ std::string part_name(const Lesson& lesson, const Addition& part) {
     return quoted_name(name, names_of_parts(lesson));
 }
 
-/// The joint's equations in the form that it has; behind them those of p1 and p2 in full, which a pair may
-/// have had out before.
+/// The joint's equations in the form that it has. For a pair, the full equations of p1 and p2 follow: some of
+/// them may have been taken out before.
 std::vector<LabelledEquation> equations_of(const Joint& joint) {
     std::vector<LabelledEquation> all = equations_of(*joint.type, joint.parallel_form);
     if (joint.parallel_form == ParallelForm::pair) {

@@ -9,18 +9,18 @@
 /// lists them.
 namespace jw {
 
-/// The experiment that `text` asks for. Whether it is possible is found out by whoever carries it out.
+/// The experiment that `text` asks for. Whether it is possible is not checked here.
 /// @param session  what names, step numbers and "drag ... by" refer to
 /// @return nothing, with what is wrong and what was expected in `error`, if it cannot be understood
 std::optional<Experiment> read_experiment(
     const std::string& text, const Session& session, std::string& error);
 
-/// Experiment of `text` that edits the lesson, which needs no session to be understood.
-/// @return nothing if `text` says no such thing, or cannot be understood
+/// The experiment in `text`, if it edits the lesson; no session is needed to read it.
+/// @return nothing if `text` is not such an experiment, or cannot be understood
 std::optional<Experiment> read_edit(const std::string& text, const Lesson& lesson);
 
-/// The sentence that read_experiment understands as this very experiment, every number exactly, as long as
-/// the lesson is this one.
+/// The sentence that read_experiment reads as exactly this experiment, with every number exact, as long as
+/// the lesson does not change.
 /// @param experiment  about joints, drivers and bodies that the lesson has
 std::string text_of(const Experiment& experiment, const Lesson& lesson);
 

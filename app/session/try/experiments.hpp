@@ -48,7 +48,7 @@ struct SetEquationPresent {
     bool present = false;
 };
 
-/// Points and vectors of a joint; directions of any length but zero.
+/// Points and vectors of a joint; directions of any length except zero.
 struct SetGeometry {
     int joint = 0;
     JointGeometry geometry;
@@ -59,14 +59,14 @@ struct SetDriver {
     TimeFunction function;
 };
 
-/// Start estimate of a body: where a hand has led it, for example.
+/// Start estimate of a body, for example where a hand has led it.
 struct SetPose {
     int body = 0;
     Vec3 r = Vec3::Zero();   ///< [m]
-    Vec4 p = Vec4::Unit(0);  ///< of length 1, up to what somebody typed
+    Vec4 p = Vec4::Unit(0);  ///< of length 1, up to the typed digits
 };
 
-/// A point of a body is pulled towards a place; what is assembled so far holds.
+/// A point of a body is pulled towards a place; the equations assembled so far hold.
 struct Drag {
     int body = 0;
     Vec3 point_local = Vec3::Zero();  ///< [m]
@@ -76,8 +76,8 @@ struct Drag {
 /// The hand lets go: the pose becomes the start estimate.
 struct Release {};
 
-/// A free motion is followed: which one of the rank report, and how far from the pose it starts at, from -1
-/// to 1 of what was followed.
+/// A free motion is followed: its number in the rank report, and how far from the pose where it starts, as a
+/// fraction from -1 to 1 of the followed motion.
 struct ShowFreedom {
     int motion = 0;
     double part = 0.0;
@@ -88,7 +88,7 @@ struct LetGo {};
 
 struct Undo {};
 struct Redo {};
-/// The lesson as it was written.
+/// Back to the lesson as it was written.
 struct StartOver {};
 
 using Experiment = std::variant<
@@ -104,7 +104,7 @@ template <class E>
 concept EditsLesson = kIsAlternative<E, LessonEdit>;
 
 /// `geometry` with another axis in body i (or j): the vectors perpendicular to it turn with it.
-/// @param s_local  any length but zero
+/// @param s_local  any length except zero
 JointGeometry with_axis(const JointGeometry& geometry, bool in_body_j, const Vec3& s_local);
 
 /// The changed lesson and what was changed in words, or why that is not possible.
@@ -118,7 +118,7 @@ struct Edit {
 Edit edited(const Lesson& lesson, const Lesson& written, const Experiment& experiment);
 /// Several of them one after the other, all or none.
 Edit edited(const Lesson& lesson, const Lesson& written, std::span<const Experiment> experiments);
-/// Without asking whether a lesson file can say what comes out.
+/// The same without checking whether a lesson file can express the result.
 Edit edit_of(Lesson lesson, const Lesson& written, const Experiment& experiment);
 
 /// Edits that give a lesson the start estimates, those of θ included, of `state`.

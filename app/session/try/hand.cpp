@@ -57,7 +57,7 @@ bool Hand::follow(int motion, double part) {
 void Hand::show(const State& state) {
     step_.state = state;
     step_.rank = nullptr;
-    // the rows may have been chosen anew on the way
+    // the rows may have been chosen again on the way
     auto system = std::make_shared<System>(*system_);
     system->choose_rows(state);
     step_.system = system;

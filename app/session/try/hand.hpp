@@ -12,11 +12,12 @@ namespace jw {
 
 class Hand {
 public:
-    /// Takes hold of what is assembled at a step: of everything before a joint that is not closed yet.
+    /// Takes hold of what is assembled at a step; if its joint is not closed yet, of everything before that
+    /// joint.
     /// @param story must outlive this
     Hand(const Story& story, int index);
 
-    /// A step with the pose of the hand, in the place of the one that was taken hold of.
+    /// The step that was taken hold of, with the pose of the hand.
     const Step& step() const { return step_; }
 
     DragOutcome pull(int body, const Vec3& point_local, const Vec3& target);

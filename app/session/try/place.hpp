@@ -17,11 +17,11 @@ struct Place {
 
 Place place_of(const Story& story, int index);
 
-/// The step that is nearest to a place in another telling: the same kind of step of the same joint; of a
-/// joint that is gone or not reached, the last step there is.
+/// The step of another telling that is nearest to a place: the same kind of step of the same joint, or the
+/// last step if the joint is gone or not reached.
 int find_place(const Story& story, const Place& place);
 
-/// The moment of the motion nearest to time `t`; the last step without one.
+/// The moment of the motion nearest to time `t`; the last step if there is no motion.
 int nearest_moment(const Story& story, double t);
 
 }  // namespace jw

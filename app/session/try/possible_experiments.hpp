@@ -17,14 +17,14 @@ struct Effect {
     int rank = 0;
     int dof = 0;
     double condition =
-        0.0;  ///< largest by smallest singular value that counts, (r, ω′), scaled; 0 without rows
+        0.0;  ///< largest / smallest singular value that is not zero, (r, ω′), scaled; 0 without rows
 
     int redundant() const { return rows - rank; }
 };
 
 struct PossibleExperiment {
     std::string text;   ///< to be typed: "form hinge drop x"
-    bool now = false;   ///< it is so already
+    bool now = false;   ///< the lesson is like this already
     bool free = false;  ///< taking it out costs no rank
     std::optional<Effect> effect;
 };
@@ -46,15 +46,15 @@ struct PossibleExperiments {
     int step = 0;
     Effect present;
     std::vector<ExperimentGroup> groups;
-    std::vector<std::string> removable;  ///< rows of which any single one may go without a loss of rank
+    std::vector<std::string> removable;  ///< rows that can be taken out one at a time without loss of rank
     std::vector<std::string> combinations;
     std::vector<FreeMotionVerdict> free_motions;
     ExperimentGroup coordinates;
 };
 
-/// Who wants to know while it is being found: each effect is a rank.
+/// Receives the results while they are found: each effect needs a rank.
 struct ExperimentsListener {
-    /// Everything that is known at once; experiments have no effects yet.
+    /// Everything that is known from the start; experiments have no effects yet.
     std::function<void(const PossibleExperiments& outline)> begin;
     /// Each group with its effects, in the order of PossibleExperiments::groups.
     std::function<void(const ExperimentGroup& group)> group;
@@ -67,7 +67,7 @@ PossibleExperiments possible_experiments_of(const Session& session, const Experi
 std::string describe(const PossibleExperiments& experiments, const Lesson& lesson);
 Json json_of(const PossibleExperiments& experiments, const Lesson& lesson);
 
-/// The same text in pieces: the head, each group, what comes behind the groups.
+/// The same text in pieces: the head, each group, what follows the groups.
 class ExperimentsText {
 public:
     /// @param outline  with the texts of all experiments, of which the widest sets the columns

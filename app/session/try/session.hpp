@@ -11,10 +11,10 @@
 #include "app/session/try/hand.hpp"
 #include "app/session/view/view.hpp"
 
-/// A lesson that is being looked at and tried out: what the window and the command line share.
+/// A lesson that is looked at and tried out; the window and the command line share it.
 ///
-/// Whatever is tried makes another lesson, which is told anew; so every experiment can be undone, saved as a
-/// lesson file, and goes through the same numerics as a lesson of an author.
+/// Every experiment makes another lesson, whose story is told again. So each experiment can be undone and
+/// saved as a lesson file, and has the same numerics as a lesson of an author.
 namespace jw {
 
 /// An edit that was carried out, and the lesson that it led to.
@@ -26,7 +26,7 @@ struct CarriedOut {
 
 class Session {
 public:
-    /// @param with_motion  false: the story ends where everything is put together
+    /// @param with_motion  false: the story ends when everything is assembled
     explicit Session(Lesson lesson, bool with_motion = true, Storyteller tell = tell_at_once);
     /// Session of a lesson that is told already, with its motion or without.
     Session(ToldLesson told, bool with_motion, Storyteller tell);
@@ -40,36 +40,37 @@ public:
     const Lesson& lesson() const;
     const Lesson& as_written() const { return *written_; }
     const Story& story() const { return *story_; }
-    /// Lesson and story as they are now: they stay, whatever is done to the session.
+    /// Lesson and story as they are now: they do not change, whatever is done to the session.
     ToldLesson as_told() const { return {lesson_, *story_}; }
 
-    /// Index of the step of the story that is shown, or in whose place something moved by hand is shown.
+    /// Index of the step of the story that is shown, as it is or moved by hand.
     int index() const { return index_; }
     /// The shown step.
     const Step& step() const;
-    /// True if the shown pose is not a step of the story: it is led by hand, or along a free motion.
+    /// True if the shown pose is not a step of the story: it was moved by hand, or along a free motion.
     bool in_hand() const { return hand_ != nullptr; }
-    /// True at a question whose answer is the pose of a body: what is led by hand is an answer, no edit.
+    /// True at a question whose answer is the pose of a body: a pose that is led by hand is an answer, not an
+    /// edit.
     bool asks_for_pose() const;
 
     /// @return what was done or why it was not, for people; empty where there is nothing to say
     std::string apply(const Experiment& experiment);
 
     /// Sentences (experiment_text.hpp) that lead from as_written() to lesson(): carried out one after the
-    /// other (carry_out.hpp), they give every number of it exactly. Few of them: a later one about the same
-    /// thing stands for those before.
+    /// other (carry_out.hpp), they give every number of it exactly. They are few: a later one about the same
+    /// thing replaces those before it.
     const std::vector<std::string>& tried() const;
 
-    /// Shows vectors and equations of this joint while everything moves; the same one again, or -1, leaves
-    /// the choice to the story. No experiment: the lesson stays as it is.
+    /// Shows vectors and equations of this joint during the motion; the same one again, or -1, leaves the
+    /// choice to the story. This is not an experiment: the lesson stays as it is.
     void show_joint(int joint);
 
-    /// The file was saved anew. What was tried before stays in the history.
+    /// Replaces the lesson after its file was saved again. What was tried before stays in the history.
     void replace(Lesson lesson);
     /// Shows what `other` shows, with the joint chosen there: one change, which undo takes back.
     /// @param what  was changed, in words
     void become(Session&& other, std::string what);
-    /// Tells the same story again, at the same step, in the language of now
+    /// Tells the same story again, at the same step, in the present language
     /// (app/session/wording/messages.hpp).
     void tell_again();
 
@@ -79,9 +80,9 @@ public:
     /// Freedoms of what is shown, in the order of RankReport::free_motions.
     const RankReport& rank() const;
 
-    /// Grows whenever view() or picture() may be another.
+    /// Grows whenever view() or picture() may have changed.
     std::uint64_t version() const { return version_; }
-    /// Grows whenever the lesson is told anew.
+    /// Grows whenever the lesson is told again.
     std::uint64_t told() const { return told_; }
     /// Number of times that a view was computed. Tests check that it does not grow while nothing changes.
     std::uint64_t views_computed() const { return views_computed_; }
@@ -94,21 +95,22 @@ public:
     /// The free motion that is shown; nullptr if none is.
     const FollowedMotion* shown_freedom() const;
 
-    /// Index of the step of the story that is nearest to time `t` of the motion; the last step without one.
+    /// Index of the step of the story that is nearest to time `t` of the motion; the last step if there is no
+    /// motion.
     int index_of_time(double t) const;
 
 private:
-    /// One entry of the history: what it was before.
+    /// One entry of the history: the state before a change.
     struct Past {
         std::shared_ptr<const Lesson> lesson;
-        std::shared_ptr<const Lesson> written;  ///< another one where the file was saved anew since
+        std::shared_ptr<const Lesson> written;  ///< differs if the file was saved again since
         std::vector<Experiment> edits;
         int index = 0;
         std::string what;
     };
     struct Cache;
 
-    // one for each experiment, or kind of experiments
+    // one for each experiment, or for each kind of experiments
     std::string perform(const EditsLesson auto& experiment);
     std::string perform(const Drag& experiment);
     std::string perform(const Release& experiment);
@@ -118,7 +120,7 @@ private:
     std::string perform(const Undo& experiment);
     std::string perform(const Redo& experiment);
     std::string perform(const StartOver& experiment);
-    /// Back to the pose of the step, from what a hand or a free motion led to.
+    /// Back to the pose of the step, from the pose that a hand or a free motion led to.
     void leave_hand();
     std::string edit(const Experiment& experiment);
     std::string drag(const Drag& drag);

@@ -46,7 +46,7 @@ bool same_joint(const Joint& a, const Joint& b) {
     return a.geometry == b.geometry && a.parallel_form == b.parallel_form && a.without == b.without;
 }
 
-/// Compares all that edits can change; the measure of a driver follows from its joint.
+/// Compares everything that edits can change; the measure of a driver follows from its joint.
 bool same_lesson(const Lesson& a, const Lesson& b) {
     const auto same_function = [](const Driver& x, const Driver& y) { return x.function == y.function; };
     return a.order == b.order && a.coordinates == b.coordinates &&

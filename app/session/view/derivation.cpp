@@ -51,7 +51,7 @@ double entry_of(const formula::Value& value, int row, int column) {
 
 math::Row substituted(const math::Row& row, const formula::Meanings& meanings);
 
-/// The matrix of numbers that a symbol stands for, as it stands there; 0, I and what has no value stay.
+/// A symbol, replaced by the matrix of its numbers; 0, I and symbols without a value stay.
 math::Node number_of(const math::Node& node, const formula::Meanings& meanings) {
     if (const auto* const group = std::get_if<math::Group>(&node.nucleus)) {
         math::Node inner = node;

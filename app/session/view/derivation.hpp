@@ -5,7 +5,7 @@
 
 #include "app/session/story/story.hpp"
 
-/// How an entry of Φq comes about.
+/// Derivation of an entry of Φq.
 namespace jw {
 
 /// The block that an entry belongs to, with numbers for its symbols.

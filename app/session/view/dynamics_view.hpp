@@ -30,14 +30,14 @@ struct DynamicsView {
         std::string owner;  ///< joint or driver
         std::string row;    ///< "p1 y"
         double lambda = 0.0;
-        bool left_out = false;  ///< its row repeats others: any λ would do, 0 is shown
+        bool left_out = false;  ///< its row is redundant: any λ would do, 0 is shown
     };
     std::vector<Body> bodies;
     std::vector<Multiplier> multipliers;  ///< one per row of Φq
     MatrixX M;
     MatrixX jacobian;
     VectorX Q;
-    VectorX acceleration;  ///< q̈, solved here once more, whatever the lesson's method
+    VectorX acceleration;  ///< q̈, solved here again, whatever the lesson's method
     VectorX lambda;
     VectorX gamma;
     double residual = 0.0;  ///< |M q̈ − Φqᵀ λ − Q| / (|M q̈| + |Q|)
@@ -45,13 +45,13 @@ struct DynamicsView {
     Vec3 momentum = Vec3::Zero();          ///< Σ m ṙ [kg m/s]
     Vec3 angular_momentum = Vec3::Zero();  ///< about the global origin, global [kg m²/s]
 
-    /// True if no row repeats others: there is one λ only.
+    /// True if no row is redundant: λ is unique.
     bool unique() const;
 };
 
 /// @param state,velocity of the body frames as given
-/// @param energy as the run knows it; else it is found from the state
-/// @return nothing for mechanisms so large that a dense system takes longer than is worth waiting for
+/// @param energy as the run computed it; otherwise it is found from the state
+/// @return nothing for mechanisms that are so large that a dense system takes too long
 std::optional<DynamicsView> dynamics_view_of(
     const Centroidal& scene, double t, const State& state, const Motion& velocity,
     const std::optional<Energy>& energy = std::nullopt);

@@ -10,7 +10,7 @@ namespace jw {
 
 namespace {
 
-// most free motions, times columns: judged in about 50 ms
+// largest number of free motions, times columns: they are judged in about 50 ms
 constexpr std::ptrdiff_t kMostJudged = 1000;
 
 /// Moving bodies that no equation holds.

@@ -11,10 +11,11 @@
 /// Free motions of a pose as lists show them: in words, with the verdict on each.
 namespace jw {
 
-/// One per free motion, nothing for one of bodies that no equation holds. Empty: not judged.
+/// One per free motion; nothing for motions of bodies that no equation holds. Empty: not judged.
 using FreedomJudgements = std::vector<std::optional<FreedomJudgement>>;
 
-/// Judgements on the free motions of a pose. @return empty where they are so many that a reader would wait
+/// Judgements on the free motions of a pose. @return empty if they are so many that a reader would have to
+/// wait
 FreedomJudgements judgements_on(
     const System& system, const State& state, double t, const std::vector<FreeMotion>& motions);
 

@@ -21,7 +21,7 @@ MatrixX dense(const SparseRows& rows) {
     return matrix;
 }
 
-/// Fills in the numbers of system, state, velocity and t.
+/// Computes the numbers from system, state, velocity and t.
 void evaluate(Inspection& inspection, Spectrum spectrum) {
     with_choice(inspection.choice, [&](auto c) {
         Assembler<decltype(c)> assembler(*inspection.system);
@@ -44,8 +44,8 @@ void evaluate(Inspection& inspection, Spectrum spectrum) {
     inspection.sound = svd.sound;
 }
 
-/// More than the length of the motion before or after it: there the lesson makes no promise, and a pose that
-/// cannot be found tells nothing of the mechanism.
+/// True if `t` is before or after the motion by more than its length: there the lesson promises nothing, and
+/// a pose that cannot be found says nothing about the mechanism.
 bool is_far_outside(const Lesson& lesson, double t) {
     if (!lesson.motion) { return false; }
     const auto& [from, to, duration, steps] = *lesson.motion;
@@ -114,7 +114,7 @@ Inspection inspect_as_given(const Lesson& lesson, CoordinateChoice choice, Spect
 
 namespace {
 
-/// State and velocity where masses and forces have led to from an assembled start.
+/// State and velocity to which masses and forces lead from an assembled start.
 void simulate_to(const Lesson& lesson, const State& start, Inspection& inspection) {
     if (inspection.t < 0.0) {
         throw PoseNotReached(lesson.file_name + ": " + tr("there is no motion before the start at 0 s"));
@@ -122,8 +122,8 @@ void simulate_to(const Lesson& lesson, const State& start, Inspection& inspectio
     const DynamicsRequest request = request_of(lesson);
     const SimulationSettings settings = request.settings;
     Simulation simulation(placed_at(lesson.mechanism, start), lesson.dynamics->loads, settings);
-    // the run of `simulate` and of the story, whose steps end where it ends: the same numbers to the last
-    // digit
+    // the same run as in `simulate` and in the story, whose steps end at the same times: the numbers are
+    // equal to the last digit
     std::vector<double> times = equal_times(request.duration, request.samples);
     times.push_back(inspection.t);
     std::ranges::sort(times);
@@ -145,7 +145,7 @@ void simulate_to(const Lesson& lesson, const State& start, Inspection& inspectio
     }
 }
 
-/// State and velocity where the drivers have led to. @param system its rows switch on the way
+/// State and velocity to which the drivers lead. @param system its rows switch on the way
 void follow_to(const Lesson& lesson, const State& start, System& system, Inspection& inspection) {
     MotionTracker tracker(system, start, start_time(lesson));
     bool switched = false;

@@ -17,7 +17,7 @@ struct Inspection {
     CoordinateChoice choice = CoordinateChoice::omega_local;
     std::shared_ptr<const System> system;
     State state;
-    Motion velocity;  ///< that γ belongs to
+    Motion velocity;  ///< the velocity that γ belongs to
     double t = 0.0;
     VectorX phi;
     SparseRows jacobian;
@@ -25,7 +25,7 @@ struct Inspection {
     VectorX gamma;
     VectorX singular_values;            ///< of `jacobian` as it stands; empty where `rank` has no spectrum
     double singular_value_error = 0.0;  ///< none of them is off by more than this
-    bool sound = true;                  ///< false: they did not pass their check
+    bool sound = true;                  ///< false: the singular values did not pass their check
     KinematicResiduals residuals;       ///< of the pose and of `velocity`; accelerations are not part of it
     RankReport rank;                    ///< kinematic, whatever the coordinates
     std::optional<DynamicsView> dynamics;  ///< of a moment of a motion by masses and forces
@@ -34,7 +34,7 @@ struct Inspection {
 /// When singular values and free motions are computed.
 enum class Spectrum {
     of_small,  ///< up to kMostColumnsWithSpectrum columns (large_rank.hpp)
-    always,    ///< whatever that takes: a minute for 500 bodies
+    always,    ///< however long it takes: a minute for 500 bodies
 };
 
 /// Largest system whose Φq is shown with all of its zeros, by columns of (r, ω').
@@ -43,8 +43,8 @@ bool is_shown_dense(const Inspection& inspection);
 /// Verdicts on the free motions of an assembled pose; empty for others.
 FreedomJudgements judgements_of(const Inspection& inspection);
 
-/// Inspection of a step of the story; γ belongs to the file's velocities before the motion and to the
-/// motion's in it.
+/// Inspection of a step of the story. Before the motion, γ belongs to the file's velocities; in the motion,
+/// to those of the motion.
 /// @throws std::out_of_range if there is no such step
 Inspection inspect_step(
     const Story& story, int index, CoordinateChoice choice, Spectrum spectrum = Spectrum::of_small);

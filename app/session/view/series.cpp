@@ -18,7 +18,7 @@ namespace jw {
 
 namespace {
 
-// relative to the largest value of a unit: velocities and accelerations come from poses that are right to
+// relative to the largest value of a unit: velocities and accelerations come from poses that are accurate to
 // 1e-13
 constexpr double kRoundingPart = 1e-10;
 constexpr double kSmallestRounding = 1e-12;  // where everything of a unit is at rest
@@ -88,15 +88,15 @@ const Step& moment_at(const Story& story, const SeriesSet& set, std::size_t poin
     return story.steps()[static_cast<std::size_t>(set.steps[point])];
 }
 
-/// Relative change of a curve: next to nothing for a motor that runs evenly.
+/// Relative change of a curve: almost zero for a driver that moves evenly.
 double liveliness(const Series& series) {
     const auto [low, high] = std::ranges::minmax(series.values);
     const double size = std::max(std::abs(low), std::abs(high));
     return high - low > series.rounding ? (high - low) / size : 0.0;
 }
 
-/// A measure with its rates: of those that no driver prescribes the one whose rate changes most, since what
-/// the others do is known; else the first. r of the first body where nothing is measured.
+/// The measure that says most, with its rates: of the measures that no driver prescribes, the one whose rate
+/// changes most, since the others are known; else the first. If nothing is measured, r of the first body.
 std::vector<int> telling_measure(const Story& story, const SeriesSet& set) {
     if (set.series.size() < 3) { return series::all_of(set); }
     const Step& step = story.steps()[static_cast<std::size_t>(set.steps.front())];
@@ -105,7 +105,7 @@ std::vector<int> telling_measure(const Story& story, const SeriesSet& set) {
     int k = 0;
     for (const QuantityMotion& q : quantities_of(step)) {
         const double changes = q.driven ? 0.0 : liveliness(set.series[static_cast<std::size_t>(k) + 1]);
-        // where only rounding distinguishes curves, the first one
+        // if only rounding distinguishes curves, the first one
         if (changes > (1.0 + 1e-9) * most) {
             most = changes;
             best = k;
@@ -137,14 +137,14 @@ std::vector<Solve> solves_of(const Story& story) {
             continue;
         }
         Solve& solve = solves.back();
-        // closed, but at a wrong branch: seen in the step that leaves it; iterations that the story leaves
-        // out: in the one before them
+        // an iteration that closes on a wrong branch is shown by the step that leaves it; iterations that the
+        // story leaves out, by the step before them
         while (solve.steps.size() + 1 < step.events.size()) {
             const std::size_t event = solve.steps.size();
             const auto is_newton = [&](std::size_t at) {
                 return std::holds_alternative<NewtonStep>(step.events[at]);
             };
-            // one that ends without a branch behind it gave up, and Newton began again elsewhere
+            // a solve that ends without a wrong branch after it gave up, and Newton began again elsewhere
             const bool closed = is_newton(event) && std::get<NewtonStep>(step.events[event]).rank == 0 &&
                                 !is_newton(event + 1);
             const bool later = solve.steps.empty() || !is_newton(event) || closed;

@@ -5,7 +5,8 @@
 /// Common parts of the sets over time; used by series.cpp and series_of_rows.cpp only.
 namespace jw::series {
 
-/// Times and steps of the motion, with marks where rows were chosen anew and where a change point was passed.
+/// Times and steps of the motion, with marks where rows were chosen again and where a change point was
+/// passed.
 SeriesSet over_time(const Story& story);
 
 /// The same over the moments of the story's curve, where it has one: as fine as a plot is wide.

@@ -112,9 +112,9 @@ std::string asked_text(const System& system, int row, double value, const std::s
     return number_text(value, 6) + (unit == Unit::metre ? " m" : " 1") + per;
 }
 
-/// The redundant equation that misses what those that it repeats ask for by most.
+/// The redundant equation that differs most from what the equations that it repeats ask for.
 /// @param asked    right sides: ν or γ
-/// @param of_rates  they are ν
+/// @param of_rates  true: `asked` is ν
 std::string contradiction_of(
     const System& system, const MotionFrame& frame, const VectorX& asked, bool of_rates) {
     const RankReport report = rank_of(system, frame.state, frame.t);
@@ -134,7 +134,7 @@ std::string contradiction_of(
     std::vector<std::string> owners;
     for (const RedundantRow::Term& term : worst->terms) {
         const std::string owner = row_owner(system, term.row);
-        // joints ask for 0: among drivers it is they who contradict each other
+        // joints ask for 0, so the contradiction is between drivers
         if (asked(term.row) == 0.0 || std::ranges::find(owners, owner) != owners.end()) { continue; }
         owners.push_back(owner);
     }
@@ -167,7 +167,7 @@ std::string contradiction_at(const System& system, const MotionFrame& frame) {
 std::vector<double> times_of(const SweepPlan& plan) {
     std::vector<double> times;
     const auto whole = static_cast<long>(std::floor((plan.to - plan.from) / plan.step + kRoundingOfSum));
-    // products, not sums: the rounding of the last time is that of one multiplication
+    // products instead of sums, so that the last time has the rounding of one multiplication
     for (long k = 0; k <= whole; ++k) { times.push_back(plan.from + static_cast<double>(k) * plan.step); }
     if (plan.to - times.back() > kRoundingOfSum * plan.step) { times.push_back(plan.to); }
     return times;

@@ -20,7 +20,7 @@ struct SweepPlan {
     double from = 0.0;   ///< [s]
     double to = 1.0;     ///< [s], >= from
     double step = 0.01;  ///< [s], > 0; the last interval may be shorter
-    /// Columns besides those of the analysis.
+    /// Columns in addition to those of the analysis.
     std::vector<NamedQuantity> quantities = {};
     bool with_proof = false;
 };
@@ -30,7 +30,7 @@ struct SweepRow {
     bool unique = true;          ///< velocities (and accelerations) are determined by the equations
     bool consistent = true;      ///< no equation contradicts the others
     bool change_point = false;
-    KinematicResiduals residuals;  ///< as far as the analysis goes; the rest is of no meaning
+    KinematicResiduals residuals;  ///< as far as the analysis goes; the others have no meaning
 };
 
 struct Sweep {
@@ -38,10 +38,9 @@ struct Sweep {
     std::vector<SweepRow> rows;
     std::vector<double> crossings;  ///< as MotionTracker::crossings
     std::string failure;            ///< empty, or why the sweep ended early
-    /// Empty, or which equations contradict each other in velocities or accelerations, where that is so
-    /// first.
+    /// Which equations first contradict each other in velocities or accelerations; empty if none do.
     std::string contradiction;
-    /// With the system whose motion it proves; none if not asked for.
+    /// Proof, with the system whose motion it proves; none if not asked for.
     std::optional<ProofRecord> proof;
     std::shared_ptr<const System> system;
 };
@@ -49,7 +48,7 @@ struct Sweep {
 /// The times of a plan.
 std::vector<double> times_of(const SweepPlan& plan);
 
-/// @throws PoseNotReached if the mechanism cannot be put together
+/// @throws PoseNotReached if the mechanism cannot be assembled
 Sweep solve_sweep(
     const Lesson& lesson, const SweepPlan& plan, const std::function<void(double fraction)>& progress = {});
 

@@ -4,7 +4,7 @@
 
 #include "lessons/formula/symbol.hpp"
 
-/// What the book says of a symbol, whatever it is a symbol of.
+/// What the book says about a symbol, whatever body or joint it belongs to.
 namespace jw {
 
 struct SymbolFact {

@@ -100,7 +100,7 @@ private:
         const formula::Subject& subject, const math::Node& node, const std::string& owner,
         const std::string& frame, const SymbolPart& part) {
         const std::optional<MatrixX> value = value_of(subject, node);
-        // a bold letter is no number: L of a body is not the length of a joint
+        // a bold letter is not a number: L of a body is not the length of a joint
         const bool is_number = value && value->size() == 1;
         const bool one_row = belongs_to(symbol_->name, "Φγλ");
         if (!value || (is_number && symbol_->bold && !one_row)) { return false; }
@@ -157,7 +157,7 @@ private:
             return;
         }
         if (vector_of_joint(joint, symbol_->node)) { return; }
-        // s without an index may be either
+        // s without an index may belong to either body
         if (symbol_->name.index.empty() && belongs_to(symbol_->name, "shu")) {
             vector_of_joint(joint, with_index(symbol_->node, "i"));
             vector_of_joint(joint, with_index(symbol_->node, "j"));
@@ -199,7 +199,7 @@ private:
         return add(subject, node, owner, frame_in(part.body, symbol_->name.primes), part);
     }
 
-    /// The vectors and numbers of a joint that its type has no use for stand for nothing.
+    /// Vectors and numbers of a joint that its type does not use stand for nothing.
     bool is_used(const JointType& type) const {
         const formula::Symbol& name = symbol_->name;
         if (name.letter == kArm && name.marks.empty()) {

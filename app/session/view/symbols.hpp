@@ -12,7 +12,7 @@
 /// What the symbols of a step's texts and formulas stand for, with their values at the step.
 namespace jw {
 
-/// What a symbol is a part of: this is lit when it is pointed at.
+/// The part that a symbol belongs to; it is highlighted when the symbol is pointed at.
 struct SymbolPart {
     enum class Kind {
         vector,  ///< of `joint`, in body i, in body j or between them
@@ -34,7 +34,7 @@ struct SymbolMeaning {
     std::string owner;   ///< "hinge", "hinge · p1", "crank"; empty: the whole system
     std::string source;  ///< the symbol there, with its index: "\boldsymbol{s}_i"
     MatrixX value;       ///< SI
-    std::string frame;   ///< whose components these are; empty where it has none
+    std::string frame;   ///< frame of the components; empty if there is none
     SymbolPart part;
 };
 
@@ -44,11 +44,11 @@ struct SymbolView {
     std::string what;    ///< "axis vector of the joint"
     std::string unit;    ///< may be empty
     std::string defined;                  ///< "slide 12"
-    std::vector<SymbolMeaning> meanings;  ///< at least one; more where it is not said whose it is
-    int more = 0;                         ///< meanings that are left out, of many bodies or joints
+    std::vector<SymbolMeaning> meanings;  ///< at least one; more if the owner is not given
+    int more = 0;                         ///< number of meanings left out, of many bodies or joints
 };
 
-/// What the symbols of a step may be about.
+/// What the symbols of a step may refer to.
 struct SymbolSubject {
     std::vector<int> joints;  ///< of the step; empty: none
     int body = -1;            ///< of a driver without joint; -1: none
@@ -56,14 +56,14 @@ struct SymbolSubject {
 
 /// A symbol of a text at the step; nothing if it stands for nothing there.
 ///
-/// Whose it is: a body that its index names; else the joint of the step, once for each of its primitives
-/// where they differ; else the moving body of that joint; else the whole system. Without a joint all moving
-/// bodies and all joints present can be meant.
+/// Its owner: a body that its index names; else the joint of the step, once for each of its primitives where
+/// they differ; else the moving body of that joint; else the whole system. Without a joint, all moving bodies
+/// and all present joints are possible owners.
 std::optional<SymbolView> symbol_view_of(
     const Step& step, CoordinateChoice coordinates, const SymbolSubject& subject,
     const formula::TextSymbol& symbol);
 
-/// The same within the formula of a primitive of a joint, where Φ is its own.
+/// The same within the formula of a joint's primitive, where Φ is that of the primitive.
 std::optional<SymbolView> symbol_view_of(
     const Step& step, int joint, Role role, const formula::TextSymbol& symbol);
 

@@ -87,7 +87,7 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
     for (const ListedMotion& motion : listed_motions(system, report.free_motions, {})) {
         view.free_motions.push_back(motion.text);
     }
-    // others list none, or they are led by hand, and change faster than motions are judged
+    // other steps list none, or are led by hand, and change faster than motions can be judged
     const bool is_listed = step.rank && report.assembled &&
                            (step.kind == Step::Kind::assembled || step.kind == Step::Kind::answer);
     if (is_listed && !report.free_motions.empty()) {
@@ -97,7 +97,7 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
     return view;
 }
 
-/// The equations of all those joints, each with why its rows are kept.
+/// The equations of all those joints, each with the reason why its rows are kept.
 std::vector<EquationGroup> equations_of(
     const Story& story, const Step& step, int index, const std::vector<int>& joints,
     const RankReport& report) {
@@ -117,7 +117,7 @@ std::vector<EquationGroup> equations_of(
     return all;
 }
 
-/// Before a joint that a question is about: its equations, without which of them are kept.
+/// The equations of a joint that a question asks about before it is added, without saying which are kept.
 std::vector<EquationGroup> asked_equations(const Story& story, const Step& step, int index, int joint) {
     if (joint < 0) { return {}; }
     for (std::size_t k = static_cast<std::size_t>(index) + 1; k < story.steps().size(); ++k) {
@@ -194,7 +194,7 @@ std::string author_text_of(const Lesson& lesson, const Step& step) {
     return subject.kind == Addition::Kind::joint ? texts.joints[k] : texts.drivers[k];
 }
 
-/// The end of a lesson says what to remember.
+/// Adds what to remember at the end of a lesson.
 void add_summary(const Lesson& lesson, View& view) {
     if (lesson.summary.empty()) { return; }
     std::string& text = view.question ? view.question->why : view.author_text;
@@ -231,7 +231,7 @@ std::vector<std::string> texts_of(const View& view) {
     return texts;
 }
 
-/// A driver is about its joint, or about the body that it moves.
+/// The subject of a driver's symbols: its joint, or the body that it moves.
 SymbolSubject symbol_subject_of(const Lesson& lesson, const std::vector<int>& joints, int driver) {
     SymbolSubject subject{joints, -1};
     if (driver < 0) { return subject; }

@@ -20,7 +20,7 @@ struct MatrixView {
     struct Row {
         std::string owner;       ///< joint, driver or body (normalisation)
         std::string label;       ///< "p1 y"
-        bool redundant = false;  ///< repeats others
+        bool redundant = false;  ///< implied by the others
         bool subject = false;    ///< belongs to the joint or driver of the step
     };
     struct Column {
@@ -40,18 +40,18 @@ struct RankView {
     int dof = 0;
     int mobility_by_counting = 0;
     int rank_before = -1;  ///< -1: nothing to compare with
-    /// Before assembly: the rank that the same equations have once they hold. Rows that repeat others do so
-    /// at the solution only, so the rank of an unassembled pose may be larger.
+    /// Before assembly: the rank that the same equations have once they hold. Rows become redundant only at
+    /// the solution, so the rank of an unassembled pose may be larger.
     std::optional<int> once_assembled;
     int rows_before = 0;
-    bool has_spectrum = true;             ///< false: the next and the last list were not computed
+    bool has_spectrum = true;             ///< false: singular_values and free_motions were not computed
     std::vector<double> singular_values;  ///< largest first, of the (r, ω′) matrix
     double threshold = 0.0;
     double residual = 0.0;
     bool assembled = true;
     bool near_singular = false;
     double singular_value_error = 0.0;        ///< none of them is off by more than this
-    bool decided = true;                      ///< false: the rank cannot be told; `doubts` says why
+    bool decided = true;                      ///< false: it is not known what the rank is; `doubts` says why
     std::vector<std::string> doubts;          ///< what is not proved, one sentence each; mostly empty
     std::vector<std::string> redundant_rows;  ///< labels
     std::vector<std::string> combinations;  ///< "D · p1 · x = −1 A · p1 · x + ...", one per redundant row
@@ -60,9 +60,9 @@ struct RankView {
     std::optional<TypedVerdict> typed;      ///< where digits of the lesson decide the rank
 
     int redundant() const { return rows - rank; }
-    /// Free motions as lists show them, with their verdicts where there are such.
+    /// Free motions as lists show them, with their verdicts if there are any.
     std::vector<std::string> told_motions() const;
-    /// True if the rank of the pose is not the one that the equations have once they hold.
+    /// True if the rank at the pose differs from the rank that the equations have once they hold.
     bool differs_once_assembled() const { return once_assembled && *once_assembled != rank; }
 };
 
@@ -71,7 +71,7 @@ struct NewtonRow {
     double phi_norm = 0.0;
     std::string largest_row;  ///< label
     double largest_value = 0.0;
-    bool stepped = false;  ///< the members below are meaningless without
+    bool stepped = false;  ///< false: the members below are meaningless
     double delta_norm = 0.0;
     double turn_deg = 0.0;  ///< largest turn of a body in the full step
     double fraction = 1.0;  ///< of the full step taken
@@ -92,7 +92,7 @@ struct BodyMotion {
 struct View {
     Step::Kind kind = Step::Kind::bodies;
     int step = 0;   ///< index into the story
-    int steps = 0;  ///< how many the story has; 0: this is no step of one
+    int steps = 0;  ///< of the story; 0: this is not a step of a story
     double t = 0.0;
     std::string lesson_title;
     std::string source;                    ///< of the joint's type where there is one, else of the lesson
@@ -112,13 +112,14 @@ struct View {
     std::string failure;                     ///< joint, row, time, residual, cause, remedy; empty if none
 };
 
-/// Text and JSON show no matrix and no equations of motion: of a large system they are most of the work.
+/// Text and JSON do not show the matrix and the equations of motion: for a large system they are most of the
+/// work.
 enum class ViewParts { all, without_matrix };
 
 /// @param index of the step in the story
 View view_of(const Story& story, int index, ViewParts parts = ViewParts::all);
 
-/// View of a step that is not in the story: it stands in the place of step `index`, moved by hand.
+/// View of a step that is not in the story: it takes the place of step `index`, and is moved by hand.
 View view_of(const Story& story, const Step& step, int index, ViewParts parts = ViewParts::all);
 
 }  // namespace jw

@@ -15,7 +15,7 @@ struct EquationRow {
         kept,
         dropped,
         redundant,
-        open,  ///< the joint is not added yet: which rows are kept is asked for
+        open,  ///< the joint is not added yet: a question asks which rows are kept
     };
     std::string component;  ///< "x", empty for a single equation
     double value = 0.0;     ///< Φ, as it is
@@ -31,7 +31,7 @@ struct ChoiceView {
     std::array<double, 3>
         pair_condition{};         ///< of the two rows left when x, y, z is dropped; may be infinite
     int dropped = -1;             ///< 0, 1, 2; -1: none
-    bool switched = false;        ///< another one than before
+    bool switched = false;        ///< differs from the choice before
     double form_condition = 0.0;  ///< of the rows in use
     std::string reason;           ///< one sentence
 };
@@ -53,7 +53,7 @@ struct EquationGroup {
 /// @param choices of the joint's p1 and p2, in the order of its primitives; may be empty
 std::vector<EquationGroup> equations_of_joint(
     const Step& step, int joint, const std::vector<RowChoice>& choices, const RankReport* report);
-/// The equations of a joint that `after` adds, at the pose of now; which of them are kept stays open.
+/// Equations of a joint that `after` adds, at the pose of `now`, without saying which of them are kept.
 std::vector<EquationGroup> open_equations(const Step& now, const Step& after, int joint);
 EquationGroup equation_of_driver(const Step& step, int driver, const RankReport* report);
 

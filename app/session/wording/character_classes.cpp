@@ -39,10 +39,10 @@ constexpr std::array<Range, 110> kWide{
      {0x1FA78, 0x1FA7C}, {0x1FA80, 0x1FA86}, {0x1FA90, 0x1FAAC}, {0x1FAB0, 0x1FABA}, {0x1FAC0, 0x1FAC5},
      {0x1FAD0, 0x1FAD9}, {0x1FAE0, 0x1FAE7}, {0x1FAF0, 0x1FAF6}, {0x20000, 0x2FFFD}, {0x30000, 0x3FFFD}}};
 
-// no line begins with one of these
+// a line must not begin with one of these
 constexpr std::u32string_view kClosing =
     U",.;:!?)]}%…–—’”·、。〃々〉》」』】〕〗〙〛〞〟〻ー・！％），．：；？］｝～｠｡｣､･￠℃°";
-// no line ends with one of these
+// a line must not end with one of these
 constexpr std::u32string_view kOpening = U"([{‘“〈《「『【〔〖〘〚〝（［｛｟｢＄￥";
 
 bool is_one_of(std::u32string_view characters, char32_t c) {
@@ -98,7 +98,7 @@ bool may_break_between(char32_t left, char32_t right) {
 
 std::vector<std::string_view> parts_to_break(std::string_view word) {
     std::vector<std::string_view> parts;
-    // a word of Latin letters, as most are: every frame breaks its lines anew
+    // most words have only ASCII letters: a quick answer, since every frame breaks its lines again
     const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80U; };
     if (!word.empty() && std::ranges::all_of(word, is_ascii)) { return {word}; }
     std::size_t begin = 0;

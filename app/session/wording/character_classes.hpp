@@ -15,7 +15,7 @@ std::u32string from_utf8(std::string_view text);
 bool is_wide(char32_t c);
 
 /// True if a line may end between two characters without a space: where one of them is Chinese, but not
-/// before what closes (，。、：；？！」） and the like) and not behind what opens (「（).
+/// before a closing mark (，。、：；？！」） and the like) and not after an opening one (「（).
 /// @source Unicode Standard Annex 14, classes CL, CP, EX, IS, NS, OP
 bool may_break_between(char32_t left, char32_t right);
 

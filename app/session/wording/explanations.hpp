@@ -28,7 +28,8 @@ std::string departure_text(const System& system, const Departure& departure);
 /// "finite", "to first order only" or "cannot tell".
 const char* verdict_text(FreedomVerdict verdict);
 
-/// How a free motion leaves the equations, and whether another one leads on; empty where it does not leave.
+/// How a free motion leaves the equations, and whether a motion beside it goes on; empty if it does not leave
+/// them.
 std::string leaving_text(const System& system, const FreedomJudgement& judgement);
 
 /// Why the rank cannot be told; empty if it can.

@@ -5,7 +5,7 @@
 
 #include "core/equations/system.hpp"
 
-/// Names of rows, columns and equations as people read them; the only place where provenance becomes text.
+/// Names of rows, columns and equations as people read them; the only place where their origin becomes text.
 namespace jw {
 
 struct EquationText {

@@ -10,8 +10,8 @@ namespace jw {
 /// "0.25", "1.2 \cdot 10^{-7}"
 std::string number_markup(double value, int digits = 4);
 
-/// A matrix in brackets; a matrix of one entry is a number. One with more than eight rows or columns is said
-/// by its size in words, in \text.
+/// A matrix in brackets; a matrix with one entry is a number. If it has more than eight rows or columns, its
+/// size in words, in \text.
 std::string matrix_markup(const MatrixX& values, int digits = 4);
 
 }  // namespace jw

@@ -7,22 +7,21 @@
 
 namespace jw {
 
-/// Translations in the format of GNU gettext's compiled catalogues (.mo), looked up where they lie in memory.
+/// Translations in the format of GNU gettext's compiled catalogues (.mo), read in place in memory.
 ///
-/// A key is the English message; of a message with a count, its singular. Nothing is copied or allocated.
+/// A key is the English message; for a message with a count, its singular. Nothing is copied or allocated.
 class MessageCatalogue {
 public:
     /// @param bytes  must outlive the catalogue, little-endian as `msgfmt --endianness=little` writes them;
     ///               anything else is a catalogue without messages
     constexpr explicit MessageCatalogue(std::span<const unsigned char> bytes) : bytes_(bytes) {}
 
-    /// The translation of `english`, closed by a NUL; nullptr if there is none.
-    /// @param count  picks the form of a message with a count: where the language has two, the first is for
-    /// 1;
-    ///               where it has one, that is taken
+    /// The translation of `english`, ended by a NUL; nullptr if there is none.
+    /// @param count  picks the form of a message with a count. If the language has two forms, the first
+    ///               is for 1; if it has one, that is taken
     const char* find(std::string_view english, int count = 1) const;
 
-    /// Messages, of which the first is the header with the empty key.
+    /// Number of messages; the first is the header, with the empty key.
     std::size_t size() const;
     /// With all forms, separated by NULs, in ascending order of bytes.
     std::string_view key(std::size_t index) const;

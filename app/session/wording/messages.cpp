@@ -55,7 +55,7 @@ std::string messages::filled(
         try {
             return fmt::vformat(translated, arguments);
         } catch (const fmt::format_error&) {
-            // a slip in a translation: the reader gets the English sentence
+            // a mistake in a translation: the reader gets the English sentence
         }
     }
     return fmt::vformat(fmt::string_view(english.data(), english.size()), arguments);

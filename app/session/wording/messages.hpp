@@ -12,12 +12,12 @@
 
 /// The program's own sentences in the language of the reader.
 ///
-/// The English sentence is the key of its translations (app/languages/TAG.po). Arguments stand in braces with
-/// their place, {0}, {1}, so that a translation may have them in another order. A message is a whole sentence
-/// or a part that means the same wherever it stands: no grammar is put together from pieces.
+/// The English sentence is the key of its translations (app/languages/TAG.po). Arguments are numbered in
+/// braces, {0}, {1}, so that a translation may have them in another order. A message is a whole sentence, or
+/// a part that means the same everywhere: sentences are not assembled from grammatical pieces.
 ///
-/// What is read again stays English: names of joint types, quantities and experiments, commands, keys of
-/// JSON.
+/// Words that are also read as input stay English: names of joint types, quantities and experiments,
+/// commands, keys of JSON.
 namespace jw {
 
 struct Language {
@@ -29,9 +29,9 @@ struct Language {
 /// English, which needs no translations, then the others.
 std::span<const Language> languages();
 
-/// Makes the language with that tag the one of all messages from now on, in all threads. Texts that were made
-/// before stay as they are.
-/// @return false, and nothing is changed, if there is none
+/// Makes the language with that tag the language of all messages from now on, in all threads. Texts that were
+/// made before stay as they are.
+/// @return false, with nothing changed, if there is none
 bool set_language(std::string_view tag);
 /// Tag of the present language.
 std::string_view language();
@@ -39,9 +39,9 @@ std::string_view language();
 /// The message in the present language; lives as long as the program if `english` does.
 const char* tr(const char* english);
 
-/// A message that is put into words where it is read, since the language may change until then.
+/// A message that is translated only when it is read, since the language may change until then.
 struct Message {
-    std::string english;  ///< with {0}, {1} for its arguments; "{0}" around the words of an author
+    std::string english;  ///< with {0}, {1} for its arguments; "{0}" for the words of an author
     std::vector<std::string> arguments;  ///< as they are shown
 
     friend bool operator==(const Message&, const Message&) = default;
@@ -50,8 +50,8 @@ std::string tr(const Message& message);
 
 namespace messages {
 
-/// The translation of `key`, else `english`, with the arguments put in. A translation that asks for arguments
-/// that are not there is not used.
+/// The translation of `key`, or else `english`, with the arguments put in. A translation that asks for
+/// missing arguments is not used.
 std::string filled(
     std::string_view key, std::string_view english, int count, const fmt::format_args& arguments);
 
@@ -59,7 +59,7 @@ inline std::string_view view_of(fmt::string_view text) { return {text.data(), te
 
 }  // namespace messages
 
-/// The message with its arguments; those of the English one are checked when it is compiled.
+/// The message with its arguments; those of the English message are checked at compile time.
 template <class... Arguments>
 requires(sizeof...(Arguments) > 0) std::string
     tr(fmt::format_string<const Arguments&...> english, const Arguments&... arguments) {

@@ -13,7 +13,7 @@ inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 /// Up to `digits` significant digits, "0" for anything below 1e-15; no exponent between 1e-3 and 1e5.
 std::string number_text(double value, int digits = 4);
-/// Always `decimals` of them, for numbers that change from picture to picture.
+/// Always with `decimals` decimals, for numbers that change from picture to picture.
 std::string fixed_text(double value, int decimals);
 /// "1.2e-07": for residuals and singular values.
 std::string small_text(double value);
@@ -25,7 +25,7 @@ std::string count_text(int count, const std::string& singular, const std::string
 std::string listed(const std::vector<std::string>& items);
 /// "a, b or c".
 std::string alternatives(const std::vector<std::string>& items);
-/// Two sentences after each other; one of them may be empty.
+/// Two sentences, one after the other; either may be empty.
 std::string followed(const std::string& sentence, const std::string& next);
 
 }  // namespace jw

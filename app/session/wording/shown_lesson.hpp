@@ -5,10 +5,10 @@
 
 namespace jw {
 
-/// The lesson with its texts in the language of the reader (messages.hpp), as far as it has them.
+/// The lesson with its texts in the language of the reader (messages.hpp), where it has them.
 Lesson shown_lesson(Lesson lesson);
 Exercise shown_exercise(Exercise exercise);
-/// Shows one text so.
+/// The same for one text.
 Text shown_text(Text text);
 /// The source of a lesson, an exercise or a mistake: "slides 8, 23" is the message "slides {0}". Only its
 /// first word is translated: what follows are numbers, and titles of books.

@@ -2,26 +2,26 @@
 
 #include <string>
 
-/// UTF-8 text in a terminal, measured and broken by the width that is seen.
+/// UTF-8 text in a terminal, measured and broken by its displayed width.
 namespace jw {
 
 /// Columns on the screen: two for a wide character, none for a combining mark.
 int displayed_width(const std::string& text);
 
-/// `text` filled with spaces up to a displayed width of `width`, behind it, or before it if `right`.
+/// `text` filled with spaces to a displayed width of `width`: after it, or before it if `right`.
 std::string padded(const std::string& text, int width, bool right = false);
 
 /// `text` broken at spaces, and between Chinese characters, into lines of at most `width` columns where words
 /// allow; every line after the first is indented by `indent` spaces.
 std::string wrapped(const std::string& text, int width, int indent);
 
-/// A line "  label text", in which what is wrapped begins under the text.
+/// A line "  label text"; if it is wrapped, the other lines begin under the text.
 std::string labelled(const std::string& label, const std::string& text, int width);
 
-/// Text in one line: those of a lesson's file are those of its author's editor.
+/// Text in one line: the line breaks of a lesson's file are those of its author's editor.
 std::string in_one_line(const std::string& text);
 
-/// Text in which `by` stands wherever `what`, which is not empty, stood.
+/// `text` with `by` in place of every `what`, which is not empty.
 std::string replaced(std::string text, const std::string& what, const std::string& by);
 
 }  // namespace jw

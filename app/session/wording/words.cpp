@@ -12,7 +12,7 @@ namespace {
 
 // the limit of lesson files
 constexpr double kLargest = 1e9;
-// no name of a lesson that somebody types has more words
+// names of lessons that somebody types have no more words
 constexpr std::size_t kWordsOfAName = 4;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }

@@ -12,7 +12,7 @@
 /// Sentences that people type, read from left to right.
 namespace jw {
 
-/// Error that says what is wrong with a sentence and what was expected; a hint stands in a line of its own.
+/// Error that says what is wrong with a sentence and what was expected; a hint has its own line.
 class Unreadable : public std::runtime_error {
 public:
     explicit Unreadable(const std::string& message, const std::string& hint = {})
@@ -21,7 +21,7 @@ public:
 
 class Words {
 public:
-    /// Words stand between blanks; between double quotes, several are one.
+    /// Words are separated by blanks; several words in double quotes are one.
     /// @throws Unreadable for a quote that is not closed
     explicit Words(std::string_view text);
 
@@ -31,16 +31,16 @@ public:
     /// All that is left, joined by blanks.
     std::string rest() const;
 
-    /// Goes past `phrase`, one or several words, if they come next.
+    /// Skips `phrase`, one or several words, if it comes next.
     bool take(std::string_view phrase);
-    /// The name of `names` that comes next, the longest one where several do; names may have blanks.
+    /// The name from `names` that comes next, the longest one if several do; names may have blanks.
     /// @param kind  what it is the name of, for messages: "joint"
     /// @return its index
     /// @throws Unreadable if there is none
     std::size_t name(const std::vector<std::string>& names, const std::string& kind);
-    /// Index of the word that all the remaining text is.
+    /// Index of the word that is all of the remaining text.
     std::size_t last_word(const std::vector<std::string>& words, const std::string& kind);
-    /// @throws Unreadable if no finite number of at most 1e9 in size comes next
+    /// @throws Unreadable if the next word is not a finite number of at most 1e9 in size
     double number(const std::string& what);
     /// Three numbers [m or none].
     Vec3 vector(const std::string& what);
@@ -60,8 +60,8 @@ private:
     std::size_t next_ = 0;
 };
 
-/// A name as a sentence can have it: in quotes where it has blanks or could be taken for the beginning of
-/// another one.
+/// A name as it is written in a sentence: in quotes if it has blanks, or could be taken for the beginning of
+/// another name.
 std::string quoted_name(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace jw

@@ -30,7 +30,7 @@ bool satisfies(Assembler<OmegaLocal>& assembler, const State& state, double t, d
     assembler.assemble_phi_and_jacobian(state, t);
     const VectorX& phi = assembler.phi();
     for (int row = 0; row < static_cast<int>(phi.size()); ++row) {
-        // not: of what is no number
+        // negated, so that NaN fails
         if (!(std::abs(phi(row)) <= tolerance * assembler.system().row_unit(row))) { return false; }
     }
     return true;

@@ -6,8 +6,8 @@
 /// The cubic path through two poses and their velocities, and how well it satisfies the equations.
 namespace jw {
 
-/// Length of a step across a singular pose, which no proof can take [rad, or units of length]: far enough
-/// that branches part by more than rounding, near enough that the cubic path satisfies the equations to
+/// Length of a step across a singular pose, which cannot be proved [rad, or units of length]: far enough that
+/// branches separate by more than rounding, near enough that the cubic path satisfies the equations to
 /// kCrossed.
 inline constexpr double kCrossing = 1e-3;
 inline constexpr double kCrossed = 1e-10;

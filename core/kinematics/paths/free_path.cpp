@@ -18,13 +18,13 @@ constexpr double kShorter = 0.25;
 // share of the predicted movement, where no curve follows the tangent
 constexpr double kKeptAtCorner = 0.1;
 constexpr double kLargestCornerCorrection = 1.5;
-constexpr double kNoDirection = 1e-12;  // relative to the one before: no part of it is free any more
-// An equation holds: rounding of a pose far from the origin, and far less than what a motion of first order
-// has left it by after kProvedLength.
+constexpr double kNoDirection = 1e-12;  // relative to the previous one: no part of it is free any more
+// An equation holds up to this: rounding of a pose far from the origin, and far less than the misfit of a
+// motion of first order after kProvedLength.
 constexpr double kHoldsAlong = 1e-11;
 // 1/1024 of a step: a start where branches cross needs kCrossing
 constexpr int kMostHalvings = 10;
-// of a length: a millionth is shorter than what rounding hides
+// share of a length: steps below a millionth are shorter than what rounding hides
 constexpr double kShortestOfLength = 1e-6;
 
 }  // namespace
@@ -108,7 +108,7 @@ bool FreePath::make_unit(VectorX& direction) const {
     return largest > kNoDirection && direction.allFinite();
 }
 
-/// Takes a step of `length`, in pieces where necessary.
+/// Takes a step of `length`, in pieces if necessary.
 bool FreePath::advance(PathPoint& point, double length) {
     for (double left = length; left > 0.0;) {
         const double done = piece(point.state, point.direction, left);

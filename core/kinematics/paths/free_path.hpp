@@ -7,7 +7,7 @@
 #include "core/poses/least_squares.hpp"
 #include "core/poses/newton.hpp"
 
-/// Paths of free motions: followed step by step, and proved.
+/// Paths of free motions, which are followed step by step and proved.
 namespace jw {
 
 /// Pose of a free motion and its tangent there.
@@ -23,16 +23,16 @@ public:
     /// @param start satisfies the constraints
     FreePath(const System& system, const State& start);
 
-    /// Follows a direction from `point` by the tangent nearest to the one before.
-    /// @return the point, and those after it, one per step
+    /// Follows a direction from `point` by the tangent nearest to the previous one.
+    /// @return the point and those after it, one per step
     std::vector<PathPoint> follow(PathPoint point, int steps, double length);
 
-    /// True if it is proved that a motion leads along `path`, whose points are `length` apart, from its point
-    /// `first` on for `steps` steps.
+    /// True if it is proved that a motion leads along `path`, whose points are `length` apart, for `steps`
+    /// steps from its point `first` on.
     bool proves(const std::vector<PathPoint>& path, double length, std::size_t first, std::size_t steps);
 
     /// Moves `point` to the assembled pose nearby, and its direction into the free motions there.
-    /// @return false if no motion leads along it
+    /// @return false if no motion has this direction
     bool make_free(PathPoint& point);
 
     /// Moves `point` along the path by `length`, halved until the step is proved.

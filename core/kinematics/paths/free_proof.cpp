@@ -10,18 +10,18 @@ namespace jw {
 namespace {
 
 constexpr int kColumnsOfBody = 7;  // r and p
-// of columns cubed: a few hundredths of a second
+// limit of columns cubed: a few hundredths of a second
 constexpr double kMostWork = 1e8;
-// a whole pull where proofs are easy; a fold with a margin of 1e-9 is passed in a few movements
+// enough for a whole pull if proofs are easy; a fold with a margin of 1e-9 takes a few movements
 constexpr double kFewestSteps = 5.0;
 constexpr double kMostSteps = 60.0;
 
-/// Index of a body in a list in which all fixed ones are one, the first.
+/// Index of a body in a list that has all fixed bodies as one, the first.
 std::size_t index_of(const Mechanism& mechanism, int body) {
     return mechanism.bodies[at(body)].fixed ? 0 : at(body) + 1;
 }
 
-/// Joints and drivers of a body, for each body by index_of.
+/// Number of joints and drivers of each body, by index_of.
 std::vector<int> count_of_links(const Mechanism& mechanism, const Selection& selection) {
     std::vector<int> links(mechanism.bodies.size() + 1, 0);
     const auto count = [&](int body) { ++links[index_of(mechanism, body)]; };
@@ -36,8 +36,8 @@ std::vector<int> count_of_links(const Mechanism& mechanism, const Selection& sel
     return links;
 }
 
-/// Loops of a selection, and what lies between them: the rest when links that are the only one of a body are
-/// taken away, again and again.
+/// The loops of a selection and what lies between them: what remains when links that are the only one of a
+/// body are removed repeatedly.
 Selection in_loops(const Mechanism& mechanism, Selection selection) {
     for (std::size_t taken = 1; taken > 0;) {
         const std::vector<int> links = count_of_links(mechanism, selection);
@@ -67,7 +67,7 @@ std::unique_ptr<FreeProof> FreeProof::of(const System& system, double t) {
     Mechanism still = at_rest(system.mechanism(), t);
     const Selection loops = in_loops(still, system.selection());
     if (loops.joints.empty() && loops.drivers.empty()) { return nullptr; }
-    // bodies that belong to no loop are in none of the equations
+    // the equations do not contain bodies outside of loops
     const std::vector<int> links = count_of_links(still, loops);
     int columns = 0;
     for (std::size_t b = 0; b < still.bodies.size(); ++b) {

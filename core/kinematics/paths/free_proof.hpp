@@ -8,27 +8,28 @@
 /// Proof that a step of a free motion stays on its branch.
 namespace jw {
 
-/// The mechanism with its drivers standing still where they are at `t`.
+/// The mechanism with its drivers fixed at their values at `t`.
 Mechanism at_rest(Mechanism mechanism, double t);
 
 /// Proves steps of free motions, whose drivers stand still: time is the length of the path. What is left free
-/// keeps to the cubic path. Only joints of loops are looked at: what hangs on one joint has one branch.
+/// follows the cubic path. Only joints of loops are considered: a body that hangs on one joint has one
+/// branch.
 class FreeProof {
 public:
-    /// @return nothing where there is nothing to prove, or loops with more than kMostProvedColumns
+    /// @return nothing if there is nothing to prove, or if loops have more than kMostProvedColumns
     static std::unique_ptr<FreeProof> of(const System& system, double t);
 
     FreeProof(Mechanism still, const Selection& loops, const System& rows);
 
-    /// True if the step is proved; where it is not, a shorter one may be.
+    /// True if the step is proved; if it is not, a shorter one may be.
     /// @param velocity a free motion per unit of `length`
     bool holds(
         const State& from, const Motion& velocity, const State& to, const Motion& velocity_there,
         double length);
-    /// False where rounding hides the branch: no step from this pose can be proved, however short.
+    /// False if rounding hides the branch: no step from this pose can be proved, however short.
     bool decides_at(const State& state, const Motion& velocity);
 
-    /// Steps that are worth their time in one movement of a hand: the work grows with the cube of the bodies.
+    /// Steps that are fast enough for one movement of a hand: the work grows with the cube of the bodies.
     int most_steps() const;
 
 private:

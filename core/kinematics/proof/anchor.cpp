@@ -9,7 +9,7 @@ namespace jw {
 
 namespace {
 
-// Growth of the inverse beyond which rows are chosen anew.
+// Growth of the inverse beyond which rows are chosen again.
 constexpr double kWeaker = 1.5;
 
 template <class M>
@@ -100,8 +100,8 @@ void ProvedPart::bound_derivatives(const StepEnd& end, Anchor& anchor) const {
     }
 }
 
-/// Inverse of the rows chosen before, or of the most independent ones where these became much weaker; what
-/// they leave free is kept by rows of its own.
+/// Inverse of the rows chosen before, or of the most independent ones if those have become much weaker.
+/// Separate rows keep what these rows leave free.
 bool ProvedPart::choose_and_invert() {
     square_.resize(part_.columns, part_.columns);
     const auto invert_chosen = [&] {
@@ -133,7 +133,7 @@ bool ProvedPart::choose_and_invert() {
     return false;
 }
 
-/// True if the rows that are not chosen still vanish on what the chosen ones leave free.
+/// True if the rows that are not chosen still vanish on what the chosen rows leave free.
 bool ProvedPart::has_same_rank() const {
     const auto free = inverse_.rightCols(part_.columns - part_.rank);
     const double least = kIndependent * free.norm();
@@ -145,7 +145,7 @@ bool ProvedPart::has_same_rank() const {
     return true;
 }
 
-/// Norms of the inverse Jacobian at an end of the step, and what rounding leaves of it.
+/// Norms of the inverse Jacobian at an end of the step, and its defect by rounding.
 bool ProvedPart::invert(const StepEnd& end, Anchor& anchor) {
     // transposed: pivots are rows
     rows_.setZero(part_.columns, part_.rows);
@@ -166,7 +166,7 @@ bool ProvedPart::invert(const StepEnd& end, Anchor& anchor) {
     }
     if (!choose_and_invert()) { return false; }
     const MatrixX& M = inverse_;
-    // most of J is 0
+    // most entries of J are 0
     defect_.setIdentity(part_.columns, part_.columns);
     for (Eigen::Index c = 0; c < square_.cols(); ++c) {
         for (Eigen::Index r = 0; r < square_.rows(); ++r) {
@@ -180,7 +180,7 @@ bool ProvedPart::invert(const StepEnd& end, Anchor& anchor) {
     return true;
 }
 
-/// Norms of what was inverted.
+/// Computes the norms of the inverse.
 void ProvedPart::measure(Anchor& anchor) const {
     const auto unknowns = static_cast<Eigen::Index>(part_.unknowns.size());
     anchor.inverse.setZero(unknowns, static_cast<Eigen::Index>(part_.equations.size()));

@@ -10,7 +10,7 @@ namespace jw {
 
 namespace {
 
-// Growth of the inverse beyond which rows are chosen anew: one choice joins the steps of a motion.
+// Growth of the inverse beyond which rows are chosen again: one choice connects the steps of a motion.
 constexpr double kMuchWeaker = 1.5;
 // A bound of a path by its coefficients about the middle is four times the maximum of t²(1 - t)².
 constexpr double kBoundOfPath = 4.0;
@@ -23,10 +23,10 @@ constexpr double kLeastRoom = 1.5;
 constexpr double kLeastTube = 1e-13;
 constexpr double kLargestTube = 0.05;
 constexpr int kMostEnlargements = 60;
-// A row is about 2|s| δ² off its tangent at a distance δ of the p of both bodies.
+// Deviation of a row from its tangent: about 2|s| δ² at a distance δ of the p of both bodies.
 constexpr double kCurvature = 4.0;
 
-/// Largest sum of the sizes in a row.
+/// Largest sum of absolute values in a row.
 double row_sum(const auto& block) { return block.cwiseAbs().rowwise().sum().maxCoeff(); }
 
 }  // namespace
@@ -88,8 +88,8 @@ int PartRecorder::first_of(std::size_t unknown) const {
     return first;
 }
 
-/// Inverse of the rows chosen before, or of the most independent ones; what they leave free is kept by rows
-/// of its own.
+/// Inverse of the rows chosen before, or of the most independent ones. Separate rows keep what these rows
+/// leave free.
 bool PartRecorder::choose_and_invert(const MatrixX& rows) {
     const auto invert = [&] {
         MatrixX square = chosen_of(rows);
@@ -152,7 +152,7 @@ void PartRecorder::estimate(const std::vector<PathSample>& samples, const std::v
     }
 }
 
-/// What is left of a tube by x - M Φ.
+/// Image of a tube under x - M Φ.
 VectorX PartRecorder::image_of(const VectorX& radius) const {
     return alpha_ + K_ * radius + kCurvature * radius.maxCoeff() * radius.maxCoeff() * size_of_M_;
 }
@@ -181,7 +181,7 @@ bool PartRecorder::record(
     return true;
 }
 
-/// Without the scales of rows and columns.
+/// Writes without the scales of rows and columns.
 void PartRecorder::write(PartRecord& record) const {
     record.unknowns = part_.unknowns;
     record.kept = kept_;

@@ -5,7 +5,7 @@
 #include "core/kinematics/proof/proof_record.hpp"
 #include "core/kinematics/proof/proved_step.hpp"
 
-/// Preconditioner and tube of a part over a step, for those who check it with bounds of their own.
+/// Preconditioner and tube of a part over a step, for programs that check them with their own bounds.
 namespace jw {
 
 /// The equations at one point of the path x̂: scaled as in StepEnd and EquationJacobian.
@@ -27,10 +27,10 @@ public:
     PartRecorder(Part part, const ProvedStep& step);
 
     const Part& part() const { return part_; }
-    /// Writes the proof of a step into `record`. What is estimated from samples needs no proof here: whoever
-    /// checks the tube bounds it.
+    /// Writes the proof of a step into `record`. What is estimated from samples needs no proof here: the
+    /// program that checks the tube bounds it.
     /// @param samples  points of the step, both ends and the middle among them
-    /// @param errors   per coordinate: bound of |x - x̂|, of earlier parts; set for the unknowns
+    /// @param errors   per coordinate: bound of |x - x̂|, known for earlier parts; set for the unknowns
     /// @return false if the step is too long
     bool record(const std::vector<PathSample>& samples, std::vector<double>& errors, PartRecord& record);
 
@@ -54,7 +54,7 @@ private:
     MatrixX inverse_;
     MatrixX K_;
     VectorX alpha_;
-    VectorX size_of_M_;  ///< largest sum of a row of each unknown
+    VectorX size_of_M_;  ///< per unknown: largest sum of a row
     VectorX radius_;
 };
 

@@ -9,10 +9,10 @@ namespace jw {
 
 namespace {
 
-constexpr double kTogether = 1e-6;        // least part of a free motion that is no rounding
-constexpr std::size_t kMostSearched = 3;  // bodies of a part that is looked for: a crank, a dyad, a triad
+constexpr double kTogether = 1e-6;        // least part of a free motion that is not rounding
+constexpr std::size_t kMostSearched = 3;  // largest part that is searched for, in bodies: crank, dyad, triad
 
-/// Search for parts, from what is known to what follows from it.
+/// Searches for parts, from what is known to what follows from it.
 class PartSearch {
 public:
     PartSearch(

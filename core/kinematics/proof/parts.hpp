@@ -5,13 +5,12 @@
 
 #include "core/kinematics/proof/proved_equations.hpp"
 
-/// Parts of a mechanism whose poses follow from those of the parts before them: a crank from the ground and
-/// its driver, then coupler and rocker, and so on. A proof of a part needs the inverse of its own equations
-/// only.
+/// Parts of a mechanism whose poses follow from those of earlier parts: a crank from the ground and its
+/// driver, then coupler and rocker, and so on. A proof of a part needs only the inverse of its own equations.
 namespace jw {
 
-/// Coordinates that a mechanism has: r and p of each moving body, then each θ. `size` columns, `scale` the
-/// unit in which they are compared.
+/// Coordinates of a mechanism: r and p of each moving body, then each θ. `size` columns, `scale` the unit in
+/// which they are compared.
 struct Coordinates {
     int body = -1;
     int theta = -1;
@@ -28,7 +27,7 @@ public:
     /// Index of r of a body (that of p follows), -1 if it is fixed.
     int of_body(int body) const { return of_body_[at(body)]; }
     int of_theta(int theta) const { return of_theta_[at(theta)]; }
-    /// Indices of the blocks of an equation in this table: -1 for a fixed body, and where θ is no unknown.
+    /// Indices of the blocks of an equation in this table: -1 for a fixed body, and if θ is not an unknown.
     std::array<int, kBlocks> blocks_of(const ProvedEquation& equation) const;
 
 private:
@@ -37,7 +36,7 @@ private:
     std::vector<int> of_theta_;
 };
 
-/// Jacobian of an equation in scaled rows and columns, by blocks: empty where there is none.
+/// Jacobian of an equation in scaled rows and columns, by blocks; a block that does not exist is empty.
 struct EquationJacobian {
     std::array<MatrixX, kBlocks> blocks;
 };
@@ -58,13 +57,13 @@ void compute_jacobian(
 /// Part of a mechanism.
 struct Part {
     std::vector<int> unknowns;   ///< indices in the table
-    std::vector<int> inputs;     ///< those of earlier parts that its equations depend on
+    std::vector<int> inputs;     ///< coordinates of earlier parts that its equations depend on
     std::vector<int> equations;  ///< indices of its equations
     int rows = 0;
     int columns = 0;
-    int rank = 0;  ///< less than the columns where something is left free
-    /// Whether what is left free moves several bodies together: drivers do not determine their poses. A rod
-    /// that turns about itself moves alone.
+    int rank = 0;  ///< less than the columns if something is left free
+    /// True if what is left free moves several bodies together, so that drivers do not determine their poses.
+    /// A rod that turns about itself moves alone.
     bool is_underdriven = false;
 };
 
@@ -73,7 +72,7 @@ struct Part {
 inline constexpr int kMostProvedColumns = 280;
 
 /// Divides the coordinates into parts at a pose with these Jacobians: single bodies, pairs and threes that
-/// have as many independent equations as unknowns; what is left hangs together as far as equations link it.
+/// have as many independent equations as unknowns. The rest forms parts of bodies that equations link.
 std::vector<Part> find_parts(
     const CoordinateTable& table, const std::vector<ProvedEquation>& equations,
     const std::vector<EquationJacobian>& jacobians);

@@ -6,8 +6,8 @@
 #include "core/kinematics/motion_tracker.hpp"
 #include "core/kinematics/proof/parts.hpp"
 
-/// Proofs of a motion, written down for programs that know the equations and nothing else: docs/proofs.md.
-/// Numbers are in m and rad, rows and columns are not scaled.
+/// Proofs of a motion, written for programs that know only the equations: docs/proofs.md. Numbers are in m
+/// and rad; rows and columns are not scaled.
 namespace jw {
 
 /// A component of an equation.
@@ -16,7 +16,7 @@ struct ProofRow {
     int component = 0;
 };
 
-/// Why a step is claimed only.
+/// Why a step is only claimed.
 enum class NoProof {
     none,
     nothing_drives,
@@ -34,15 +34,15 @@ struct PoseRecord {
 
 struct PartRecord {
     std::vector<int> unknowns;   ///< coordinates
-    std::vector<ProofRow> rows;  ///< that are proved
+    std::vector<ProofRow> rows;  ///< rows that are proved
     MatrixX kept;                ///< rows w of what is left free: w·(x - x̂) = 0
-    MatrixX inverse;             ///< M, by unknowns, and by rows with those of `kept` behind them
+    MatrixX inverse;             ///< M, by unknowns, and by rows followed by those of `kept`
     VectorX radius;              ///< ρ of each of the unknowns
 };
 
 /// The step from a pose to the next.
 struct StepRecord {
-    std::vector<PartRecord> parts;  ///< none where it is not proved
+    std::vector<PartRecord> parts;  ///< empty if the step is not proved
     NoProof reason = NoProof::none;
 };
 
@@ -51,7 +51,7 @@ struct RankRecord {
     std::vector<ProofRow> rows;  ///< independent ones
     std::vector<int> columns;    ///< of a minor that is regular
     MatrixX inverse;             ///< of the minor
-    /// A row that repeats others: `row` = Σ combination(k) * rows[k], up to `misfit` in each column.
+    /// A redundant row: `row` = Σ combination(k) * rows[k], up to `misfit` in each column.
     struct Repeated {
         ProofRow row;
         VectorX combination;
@@ -63,14 +63,14 @@ struct RankRecord {
 struct ProofRecord {
     std::vector<Coordinates> coordinates;
     std::vector<ProvedEquation> equations;
-    State fixed;  ///< places of the bodies that are fixed; of others those at the first pose
+    State fixed;  ///< places of the fixed bodies; for the others, those at the first pose
     std::vector<PoseRecord> poses;
     std::vector<StepRecord> steps;
     RankRecord rank;  ///< no rows: the mechanism is too large
 };
 
-/// Records the frames of a motion with a proof of each interval, or of shorter ones where it needs them: the
-/// pose at a time does not depend on how many others are asked for.
+/// Records the frames of a motion with a proof of each interval, or of shorter intervals if needed: the pose
+/// at a time does not depend on how many others are requested.
 class ProofRecorder {
 public:
     /// @param system must outlive this
@@ -78,7 +78,7 @@ public:
     ~ProofRecorder();
 
     void add(const MotionFrame& frame);
-    /// @return what was recorded; nothing may be added then
+    /// @return the record; nothing may be added afterwards
     ProofRecord take();
 
 private:

@@ -9,11 +9,11 @@ namespace jw {
 
 namespace {
 
-// points of a step at which its equations are looked at: both ends, the middle, and the maximum of the
+// points of a step at which its equations are evaluated: both ends, the middle, and the maximum of the
 // residual on either side
 constexpr std::size_t kSamples = 5;
-// an interval is halved so often: steps become a share of the distance from a singular pose, and what is left
-// of that is not worth more of them
+// number of halvings of an interval: steps become a share of the distance from a singular pose, and the rest
+// of that distance is not worth more steps
 constexpr int kMostHalvings = 16;
 
 }  // namespace
@@ -53,7 +53,7 @@ private:
     ProofRecord record_;
 };
 
-/// The pose at a time after the last one, as the tracker finds it. None where the motion has ended.
+/// The pose at a time after the last one, as the tracker finds it; nothing if the motion has ended.
 std::optional<MotionFrame> ProofRecorder::Impl::frame_at(double t) const {
     System system = *system_;
     MotionTracker tracker(system, last_.state, last_.t);
@@ -110,7 +110,7 @@ bool ProofRecorder::Impl::is_proved(const MotionFrame& to, StepRecord& step) {
     return true;
 }
 
-/// Why nothing can be proved of this motion.
+/// Why nothing can be proved about this motion.
 NoProof ProofRecorder::Impl::reason_for_all(const MotionFrame& frame) {
     if (system_->drivers().empty()) { return NoProof::nothing_drives; }
     const bool is_free = proof_.leaves_bodies_free({frame.t, &frame.state, &frame.velocity});
@@ -137,7 +137,7 @@ void ProofRecorder::Impl::append(const MotionFrame& frame) {
         } else {
             const Vec4& p = frame.state.p[at(c.body)];
             write(p, p_dot_of_omega_local(p, frame.velocity.omega_local[at(c.body)]));
-            // p and -p are one pose: the nearer one to that before
+            // p and -p are the same pose: the one nearer to the previous pose is used
             if (!record_.poses.empty() && record_.poses.back().x.segment(first, 4).dot(p) < 0.0) {
                 pose.x.segment(first, 4) *= -1.0;
                 pose.x_dot.segment(first, 4) *= -1.0;

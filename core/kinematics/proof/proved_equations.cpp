@@ -32,7 +32,7 @@ ProvedEquation proved(const System& system, const DriverConstraint& d, double le
     const Driver& driver = system.mechanism().drivers[at(d.driver)];
     ProvedEquation equation;
     std::visit([&](const auto& m) { equation.primitive = m; }, driver.measure);
-    // a coordinate is one of body j alone
+    // a coordinate depends only on body j
     const bool is_coordinate = std::holds_alternative<CoordinateMeasure>(driver.measure);
     equation.body_i = is_coordinate ? driver.body_j : driver.body_i;
     equation.body_j = driver.body_j;

@@ -7,8 +7,8 @@
 #include "core/equations/system.hpp"
 #include "core/jets/majorants.hpp"
 
-/// The equations of a system in the form that a proof can bound: polynomials in r and p, and functions of θ
-/// and time whose derivatives have bounds.
+/// The equations of a system in a form for which a proof has bounds: polynomials in r and p, and functions of
+/// θ and time whose derivatives have bounds.
 namespace jw {
 
 /// Φ = pᵀ p - 1 of body j.
@@ -24,8 +24,8 @@ auto equations(
     return phi;
 }
 
-/// Equation of a driver: its measure takes the value of a function of time, given as θ. An angle is compared
-/// by the sine of the difference, which is 0 at the same poses and has no jump.
+/// Equation of a driver: its measure takes the value of a function of time, passed as θ. An angle is compared
+/// by the sine of the difference, which is 0 at the same poses and does not jump.
 template <Content K, class C>
 auto equations(
     const AngleMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& target) {
@@ -55,7 +55,7 @@ auto equations(
     return measured<K>(m, i, j, target) - artificial<C, K>(target);
 }
 
-/// θ of a screw minus its target: θ here is the difference of both.
+/// θ of a screw minus its target: here, θ is the difference of both.
 template <Content K, class C>
 auto equations(
     const ThetaMeasure& m, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
@@ -81,7 +81,7 @@ struct ProvedEquation {
 };
 
 /// All equations of a system and the normalisation of its moving bodies. p1 and p2 under the rule (or with
-/// all three rows) become their pairs, which have the same solutions and lose no rank for any axis.
+/// all three rows) become their pairs, which have the same solutions and do not lose rank for any axis.
 std::vector<ProvedEquation> proved_equations(const System& system);
 
 /// Calls `f` with the jet of an equation.

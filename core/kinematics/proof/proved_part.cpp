@@ -10,18 +10,18 @@ namespace {
 
 // All bounds are sums and products of numbers that are not negative: 10^4 operations round by 10^-12.
 constexpr double kWidening = 1.0 + 1e-9;
-// Share of the time that the last anchor lasted: the next one is set so far ahead, as it also proves steps
-// before it. In steps: no further than a path can be continued.
+// The next anchor is set ahead by this share of the time for which the last one lasted, because it also
+// proves steps before it. At most this many steps ahead, as a path cannot be continued farther.
 constexpr double kShareAhead = 0.8;
 constexpr double kMostAhead = 10.0;
 // Least ρ, in units of the coordinates.
 constexpr double kLeastRadius = 1e-14;
-// A step of no length must be proved with so many times its rounding: a step needs some room, too, and where
-// there is little steps become far too short.
+// A step of no length must be proved with this multiple of its rounding: a real step needs some room as well,
+// and with little room steps become far too short.
 constexpr double kRoomForStep = 4.0;
 constexpr int kMostTrials = 6;
-// First ρ, as multiples of the distance for K = 0: at least 2.5, else 1.25 times what the last step needed.
-// At most 10: where K is nearly 1, what was needed grows without bound.
+// First ρ, as a multiple of the distance for K = 0: at least 2.5, or 1.25 times what the last step needed,
+// but at most 10: if K is nearly 1, what was needed grows without bound.
 constexpr double kFirstRadius = 2.5;
 constexpr double kMoreThanBefore = 1.25;
 constexpr double kLargestFirstRadius = 10.0;
@@ -91,7 +91,7 @@ bool ProvedPart::measure_reach(const Anchor& anchor) {
         const auto from_anchor = [&](const StepEnd& end) {
             return std::abs(end.thetas[e].value - anchor.targets[g]);
         };
-        // the way from one end to a moment and on to the other is no longer than rate times h
+        // the path from one end to a time and on to the other end is not longer than rate times h
         distance_[at(coordinates()) + g] =
             is_target ? 0.5 * (from_anchor(step_->from()) + from_anchor(step_->to()) +
                                step_->target(static_cast<int>(e))[1] * std::abs(step_->h()))
@@ -105,7 +105,7 @@ bool ProvedPart::is_within_reach() const {
         const Coordinates& c = step_->table().all()[at(coordinate(at(k)))];
         const double reach = c.theta >= 0 ? kReachOfTheta : c.size == 3 ? kReachOfLength : kReachOfP;
         const double distance = distance_[at(k)];
-        // not: of what is no number
+        // negated, so that NaN fails
         if (!(distance <= reach)) { return false; }
         const double radius = distance - reach_[at(k)];
         if (c.size == 4 && step_->path(coordinate(at(k))).size + radius > kSizeOfP) { return false; }
@@ -145,7 +145,7 @@ void ProvedPart::bound_residuals(Anchor& anchor) {
     }
 }
 
-/// Adds what the errors of the inputs are for the unknowns if K is 0.
+/// Adds the effect of the errors of the inputs on the unknowns if K is 0.
 void ProvedPart::add_errors_of_inputs(const Anchor& anchor, VectorX& errors) const {
     for (Eigen::Index k = 0; k < anchor.passed_on.cols(); ++k) {
         errors += step_->error(part_.inputs[at(k)]) * anchor.passed_on.col(k);
@@ -198,7 +198,7 @@ bool ProvedPart::prove(Anchor& anchor) {
     return contracts(anchor);
 }
 
-/// True if a radius is found, from `radius_` on, that is mapped into itself; sets the error of the step.
+/// True if a radius, from `radius_` on, is mapped into itself; sets the error of the step.
 bool ProvedPart::contracts(const Anchor& anchor) {
     const Eigen::Index unknowns = radius_.size();
     for (int n = 0; n < kMostTrials; ++n) {
@@ -206,11 +206,11 @@ bool ProvedPart::contracts(const Anchor& anchor) {
         if (!is_within_reach()) { return false; }
         find_bounds(anchor);
         image_.noalias() = K_ * radius_;
-        // no vector is mapped below itself by a matrix that maps a positive one above itself
+        // if a matrix maps a positive vector above itself, it does not map any vector below itself
         if ((image_.array() >= radius_.array()).all()) { return false; }
         image_ = kWidening * (image_ + alpha_);
         if ((image_.array() < radius_.array()).all()) {
-            // the solution is in the tube, so in its image, and in the image of that
+            // the solution is in the tube, so it is in its image, and in the image of that
             for (Eigen::Index u = 0; u < unknowns; ++u) {
                 const double error = kWidening * (alpha_(u) + K_.row(u).dot(image_));
                 step_->set_error(part_.unknowns[at(u)], error);

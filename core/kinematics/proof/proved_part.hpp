@@ -10,7 +10,7 @@
 namespace jw {
 
 /// Bound of a second derivative of an equation: the column `of` of its Jacobian changes by `bound` times the
-/// distance `along`. Places of unknowns, of inputs behind them, and of targets behind these.
+/// distance `along`. Both are places: unknowns first, then inputs, then targets.
 struct Curvature {
     int equation = 0;
     int of = 0;
@@ -19,7 +19,7 @@ struct Curvature {
 };
 
 /// Pose of a part with its inverse Jacobian M, and the bounds of derivatives around it. Rows of matrices are
-/// the part's unknowns.
+/// the unknowns of the part.
 struct Anchor {
     bool is_set = false;
     double t = 0.0;
@@ -40,19 +40,18 @@ public:
     /// @param step must outlive this
     ProvedPart(Part part, ProvedStep& step);
 
-    /// Sets the anchor that is tried at an end of the step. @return false if the equations have another rank
-    /// there
+    /// Sets the trial anchor at an end of the step. @return false if the equations have another rank there
     bool try_anchor_at(const StepEnd& end) { return set_anchor(end, trial_); }
     void keep_trial() { std::swap(anchor_, trial_); }
-    /// Time from the end of the step to where the next anchor is best set: it probably still proves this step
-    /// [s]. 0 if the last one lasted too short for that.
+    /// Time from the end of the step to the best place of the next anchor, which probably still proves this
+    /// step [s]. 0 if the last anchor did not last long enough for that.
     double ahead() const;
-    /// True if the step is proved by an anchor ahead of it; else the choice of rows is what it was, or open.
+    /// True if an anchor ahead of the step proves it; otherwise the choice of rows is unchanged, or not made.
     bool prove_ahead(const StepEnd& ahead);
-    /// True if the step is proved by the anchor; its error is set in the step then.
+    /// True if the anchor proves the step, whose error is then set.
     bool prove();
     bool prove_by_trial() { return prove(trial_); }
-    /// 1 / |M| of the anchor that is tried.
+    /// 1 / |M| of the trial anchor.
     double margin() const { return 1.0 / trial_.inverse.norm(); }
     /// 1 / |M| of the anchor that proved the last step.
     double margin_of_anchor() const { return 1.0 / anchor_.inverse.norm(); }
@@ -80,16 +79,16 @@ private:
     ProvedStep* step_;
     std::vector<int> first_column_;  ///< per unknown, and per input among the inputs
     int input_columns_ = 0;
-    std::vector<std::array<int, kBlocks>> places_;  ///< per equation: unknowns, inputs behind them, or -1
+    std::vector<std::array<int, kBlocks>> places_;  ///< per equation: unknowns, then inputs; -1: none
     Anchor anchor_;
     Anchor trial_;
-    double lasted_ = 0.0;  ///< time for which steps after an anchor were proved by it [s]
+    double lasted_ = 0.0;  ///< time for which an anchor proved later steps [s]
 
-    // what is inverted
+    // the matrix that is inverted
     std::vector<int> equation_of_row_;
     std::vector<int> chosen_;       ///< rows that are proved
-    double size_of_inverse_ = 0.0;  ///< least since they were chosen
-    MatrixX rows_;                  ///< transposed: pivots are rows
+    double size_of_inverse_ = 0.0;  ///< least since the rows were chosen
+    MatrixX rows_;                  ///< transposed: the columns are rows of J, for pivoting
     MatrixX others_;                ///< derivatives by the inputs
     MatrixX square_;
     MatrixX inverse_;
@@ -103,7 +102,7 @@ private:
     std::vector<double> reach_;     ///< per unknown, input and target: largest distance from the anchor
     std::vector<double> distance_;  ///< the same with ρ or the error of the input
     std::vector<double> residual_;  ///< per equation
-    std::vector<double> passed_residual_;  ///< the same with what the errors of inputs add
+    std::vector<double> passed_residual_;  ///< the same, with the errors of inputs added
     VectorX first_;                        ///< distance of the solution from x̂ if K were 0
     VectorX needed_;                       ///< radius to try, as multiples of that
     VectorX radius_;
@@ -113,13 +112,13 @@ private:
 };
 
 // The region around an anchor in which its bounds hold: a tube that leaves it needs another anchor. A larger
-// one would weaken the bounds of rows that depend on distances.
+// region would weaken the bounds of rows that depend on distances.
 inline constexpr double kReachOfP = 0.3;
 inline constexpr double kReachOfLength = 0.3;  // in extents; of θ: 1 rad, or 1 m of a target
 inline constexpr double kReachOfTheta = 1.0;
 inline constexpr double kSizeOfP = 1.06;
-// A row is off by at most 8 roundings of its terms, counted as derivatives times coordinates: an arm A s' by
-// 10 of its length, which counts twice.
+// Error of a row: at most 8 roundings of its terms, counted as derivatives times coordinates. An arm A s' is
+// off by 10 roundings of its length, which counts twice.
 inline constexpr double kRoundingOfRow = 0x1p-50;
 
 }  // namespace jw

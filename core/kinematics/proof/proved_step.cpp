@@ -68,7 +68,7 @@ Theta ProvedStep::theta_of(const ProvedEquation& equation, const StepEnd& end) c
     return {target.f, target.f_dot};
 }
 
-/// Sets the coordinates of an end and what follows from them, without values of equations.
+/// Sets the coordinates of an end and the values that follow from them, but not those of equations.
 void ProvedStep::set_pose(StepEnd& end, const PathEnd& pose) const {
     end.t = pose.t;
     end.state = *pose.state;

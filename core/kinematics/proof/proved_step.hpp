@@ -6,7 +6,8 @@
 #include "core/kinematics/proof/parts.hpp"
 #include "core/kinematics/proof/step_proof.hpp"
 
-/// A step of a motion as its proof needs it: what the equations are at both ends, and the path between them.
+/// A step of a motion in the form that its proof needs: the equations at both ends, and the path between
+/// them.
 namespace jw {
 
 /// Cubic path of one block of coordinates over a step, as its Bézier control points.
@@ -15,7 +16,7 @@ struct Path {
     TaylorSeries series{};
     double size = 0.0;  ///< largest control point: bound of |x|
 
-    /// Point at a share of the step: 0 at its start, 1 at its end, beyond that on the same polynomial.
+    /// Point at a share of the step: 0 at its start, 1 at its end; above 1, on the same polynomial.
     Vec4 at(double share) const;
 };
 
@@ -48,11 +49,11 @@ public:
     const StepEnd& to() const { return ends_[1]; }
     double h() const { return ends_[1].t - ends_[0].t; }
     const Path& path(int coordinate) const { return paths_[at(coordinate)]; }
-    /// Coordinates on the path at a share of the step, as they are: p need not have length 1.
+    /// Coordinates on the path at a share of the step, without normalisation: p need not have length 1.
     State state_at(double share) const;
-    /// Pose to which the path leads if it goes on for a time after the end of the step [s]: an estimate, in
-    /// memory that the next call overwrites. It has neither velocities nor values of equations. The step has
-    /// a length.
+    /// Pose to which the path leads if it continues for a time after the end of the step [s]: an estimate, in
+    /// memory that the next call overwrites. It has neither velocities nor values of equations. The step must
+    /// have a length.
     const StepEnd& ahead(double time);
     /// Bounds of the target of a driver over the step.
     const TaylorSeries& target(int equation) const { return targets_[at(equation)]; }

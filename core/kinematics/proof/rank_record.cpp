@@ -16,7 +16,7 @@ std::vector<int> all_of(std::size_t count) {
     return numbers;
 }
 
-/// The most independent rows first. @return their count
+/// Orders the most independent rows first. @return their number
 Eigen::Index order_rows(const MatrixX& rows, std::vector<int>& order) {
     Eigen::ColPivHouseholderQR<MatrixX> qr(rows.transpose());
     qr.setThreshold(kIndependent);
@@ -24,7 +24,7 @@ Eigen::Index order_rows(const MatrixX& rows, std::vector<int>& order) {
     return qr.rank();
 }
 
-/// Rows and columns of all equations, scaled, with what they are divided by.
+/// Rows and columns of all equations, scaled, with their divisors.
 class RankRecorder {
 public:
     RankRecorder(const ProvedStep& step, const PathSample& sample)
@@ -86,7 +86,7 @@ private:
     std::vector<double> units_;
     std::vector<double> scales_;
     MatrixX independent_;  ///< rows of J_
-    MatrixX inverse_;      ///< of a minor of these
+    MatrixX inverse_;      ///< inverse of a minor of these
 };
 
 }  // namespace

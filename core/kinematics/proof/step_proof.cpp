@@ -51,12 +51,12 @@ void StepProof::Parts::divide() {
             all.emplace_back(std::move(part), step);
         }
     }
-    // at a singular pose equations are dependent that are not so elsewhere
+    // at a singular pose, equations can be dependent that are independent elsewhere
     are_divided = !is_underdriven;
 }
 
-/// True if the velocities at both ends lead along the step, where nothing is proved. A free motion has no
-/// drivers that it could be taken for instead.
+/// True if the velocities at both ends follow the step in parts where nothing is proved. For a free motion,
+/// which has no drivers, this does not suffice: all parts must be proved.
 bool StepProof::Parts::runs_smoothly() const {
     if (left_free == LeftFree::kept) { return not_proved.empty(); }
     double chord = 0.0;
@@ -87,7 +87,7 @@ bool StepProof::holds(const PathEnd& from, const PathEnd& to) {
             continue;
         }
         if (!part.try_anchor_at(parts_->step.to())) {
-            // independent equations became more: at the start some of them had not been
+            // more equations are independent than at the start
             parts_->are_divided = false;
             return false;
         }
@@ -97,7 +97,7 @@ bool StepProof::holds(const PathEnd& from, const PathEnd& to) {
     return true;
 }
 
-/// A step of no length at an anchor of its own: nothing but rounding is left.
+/// Proves a step of no length with an anchor at the pose: its only error is rounding.
 bool StepProof::decides_at(const PathEnd& pose) {
     parts_->step.set(pose, pose);
     if (!parts_->are_divided) { parts_->divide(); }

@@ -33,29 +33,30 @@ struct PathEnd {
 /// Parts of the mechanism that determine their poses one after the other are proved one after the other.
 ///
 /// Redundant equations: the most independent ones are proved; the others hold within rounding at both ends.
-/// What is left free keeps to x̂ by definition: of a body alone, or, with LeftFree::kept, of bodies together.
+/// What is left free follows x̂ by definition: for a single body or, with LeftFree::kept, for several
+/// together.
 /// @source Kantorovich's theorem; docs/proofs.md
 class StepProof {
 public:
-    /// What a proof says of bodies that are left free together: nothing, since drivers do not determine their
-    /// poses; or that one solution keeps to x̂ in that freedom.
+    /// What a proof says about bodies that are left free together: nothing, since drivers do not determine
+    /// their poses; or that one solution follows x̂ in that freedom.
     enum class LeftFree { undetermined, kept };
 
     /// @param system must outlive this
     explicit StepProof(const System& system, LeftFree left_free = LeftFree::undetermined);
     ~StepProof();
 
-    /// True if the step is proved; where it is not, a shorter one may be. Near a singular pose none can be:
-    /// see decides_at.
+    /// True if the step is proved; if it is not, a shorter one may be. Near a singular pose, none can be: see
+    /// decides_at.
     bool holds(const PathEnd& from, const PathEnd& to);
-    /// False where rounding hides the branch: no step from this pose can be proved, however short.
+    /// False if rounding hides the branch: no step from this pose can be proved, however short.
     bool decides_at(const PathEnd& pose);
-    /// 1 / |M| at the pose that was asked for last, of the part nearest to a singular pose: proportional to
-    /// the distance from there, squared proportional to the time until a turning point.
+    /// 1 / |M| at the pose of the last query, for the part nearest to a singular pose: proportional to the
+    /// distance from there; its square is proportional to the time until a turning point.
     double margin() const;
     /// 1 / |M| at the anchors of the last proved step, of the part nearest to a singular pose.
     double margin_nearby() const;
-    /// True if drivers leave several bodies free together: nothing is proved of these, and their poses are
+    /// True if drivers leave several bodies free together: nothing is proved about these, and their poses are
     /// not determined.
     bool leaves_bodies_free(const PathEnd& pose);
 

@@ -28,7 +28,7 @@ std::vector<std::vector<int>> neighbours_of(const std::vector<Node>& nodes, std:
 }
 
 /// Pivot below which iterative refinement recovers digits: reactions are wrong by 1e-16 / pivot, and the
-/// accelerations that they give a light body by 1e-16 / pivot². 1e-8 was seen at 7e-4.
+/// accelerations that they give a light body by 1e-16 / pivot². An error of 1e-8 was seen at 7e-4.
 constexpr double kFewDigitsAreLost = 1e-3;
 
 }  // namespace
@@ -248,7 +248,7 @@ std::unique_ptr<DrivableEquations> block_equations(const Centroidal& centroidal,
     std::vector<Link> links = with_drivers_joined(links_of(centroidal.mechanism));
     int most = 0;
     for (const Link& link : links) { most = std::max(most, link.rows); }
-    // spherical joints; revolute and prismatic ones; everything else
+    // spherical joints; revolute and prismatic joints; everything else
     if (most <= 3) { return std::make_unique<BlockEquations<3>>(centroidal, std::move(links), baumgarte); }
     if (most <= 5) { return std::make_unique<BlockEquations<5>>(centroidal, std::move(links), baumgarte); }
     return std::make_unique<BlockEquations<6>>(centroidal, std::move(links), baumgarte);

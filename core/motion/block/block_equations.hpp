@@ -96,7 +96,7 @@ private:
     /// Sets λ to the numbers of the kept rows and to 0 for the others.
     void set_lambda(const std::vector<double>& numbers);
     void project_velocities(double* y);
-    /// Largest of six_, rotations as they are and translations by the extent.
+    /// Largest of six_, with rotations unchanged and translations divided by the extent.
     double size_of_six() const;
     /// Adds M⁻¹ Φqᵀ λ to six_ until Φq six_ is `right` to rounding of numbers of this size.
     void meet(const std::vector<double>& right, double size);

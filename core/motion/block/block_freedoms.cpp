@@ -23,7 +23,7 @@ bool BlockEquations<B>::free_motion(
     evaluate_links<false>(t);
     factor_in_metric();
     for (std::size_t k = 0; k < drawn.size(); ++k) {
-        // rotations of 1 rad beside displacements of one extent
+        // rotations of 1 rad and displacements of one extent
         six_[k] = anything_is_free ? drawn[k] * (k % 6 < 3 ? extent_ : 1.0) : 0.0;
     }
     // twice: the first solution carries the rounding of what it removes

@@ -10,8 +10,8 @@ namespace jw {
 
 namespace {
 
-/// Size below which a row counts as zero: a row of a sound joint has size 1 or, for directions, 1 / extent;
-/// what is smaller is rounding.
+/// Size below which a row counts as zero: a row of a sound joint has size 1 or, for directions, 1 / extent; a
+/// smaller row is rounding.
 constexpr double kVanishes = 1e-12;
 /// Contraction of an iteration up to which an earlier factorisation is good enough.
 constexpr double kFastConvergence = 1e-2;
@@ -24,7 +24,7 @@ double vanishing_size(double extent) {
 /// Rows of a node, one bit each.
 struct ChoiceOfRows {
     unsigned kept = 0;
-    unsigned doubtful = 0;  ///< too little remains of them, but more than of redundant rows
+    unsigned doubtful = 0;  ///< too little remains of these rows, but more than of redundant ones
 };
 
 /// Rows of a block of Φq Φqᵀ, reduced by the nodes before it, whose remainder exceeds the share `least`:
@@ -74,7 +74,7 @@ double BlockEquations<B>::project(double t, double* y) {
         if (is_at_rounding(worst, last)) { break; }
         const bool slow = worst > kFastConvergence * last;
         last = worst;
-        // near rounding the factorisation of the iteration before is as good as a new one
+        // near rounding, the factorisation of the previous iteration is as good as a new one
         if (!factored || (slow && worst > kNearlyExact)) {
             factor_in_metric();
             factored = true;
@@ -115,7 +115,7 @@ double BlockEquations<B>::size_of_six() const {
     return size;
 }
 
-/// Every iteration leaves the share by which the factorisation, from a nearby pose, is off.
+/// Every iteration leaves the relative error of the factorisation, which is from a nearby pose.
 template <int B>
 void BlockEquations<B>::meet(const std::vector<double>& right, double size) {
     double last = std::numeric_limits<double>::infinity();
@@ -152,8 +152,8 @@ void BlockEquations<B>::strike_rows(int n, double* diagonal) {
     }
 }
 
-/// Keeps rows with a pivot above `least`. The pivots of the `doubtful` ones, beside all kept rows, are
-/// smaller.
+/// Keeps rows with a pivot above `least`. The pivots of the `doubtful` rows, after removal of all kept rows,
+/// are smaller.
 /// @return number of kept rows
 template <int B>
 int BlockEquations<B>::keep_rows_beyond(double least, std::vector<RowOfNode>& doubtful) {
@@ -213,7 +213,7 @@ double BlockEquations<B>::along(const std::vector<double>& all, const RowOfNode&
     return sum;
 }
 
-/// Sets `six_` to the remainder of a row beside all kept rows, in the metric of geometry.
+/// Sets `six_` to the remainder of a row after removal of all kept rows, in the metric of geometry.
 /// @return square of the remainder divided by that of the row; 0 for a zero row
 template <int B>
 double BlockEquations<B>::what_is_left_of(const std::vector<double>& all, RowOfNode& row) {
@@ -264,10 +264,10 @@ void BlockEquations<B>::keep_what_is_left(
     }
 }
 
-/// Chooses the kept rows. A joint may have a row that nearly depends on those before it where a row of
-/// another joint would be well independent; and beside such a row rounding looks like an independent row.
-/// Then the surely independent rows come first, and the remainder beside all of them decides about the
-/// others.
+/// Chooses the kept rows. A joint may have a row that nearly depends on earlier ones although a row of
+/// another joint would be clearly independent; and after such a row, rounding looks like an independent row.
+/// Therefore the surely independent rows come first, and the remainder after removal of all of them decides
+/// about the others.
 template <int B>
 void BlockEquations<B>::keep_independent_rows() {
     std::vector<RowOfNode> doubtful;

@@ -29,8 +29,8 @@ struct Node {
 };
 
 /// Rows of the links of a mechanism, evaluated into the places that BlockEquations<B> gives them. The
-/// evaluation is the same for every B, and by far its largest part: it is compiled once, with B as a number
-/// (`width`).
+/// evaluation is the same for every B, and it is by far the largest part of the code: it is compiled once,
+/// with B as a number (`width`).
 class LinkRows {
 protected:
     LinkRows(const Centroidal& scene, std::vector<Link> links, const Baumgarte& baumgarte, int width);
@@ -38,7 +38,7 @@ protected:
 
     static bool has(unsigned rows, int row) { return ((rows >> row) & 1U) != 0; }
 
-    // the attribute stands here: instantiations that are declared below would not have it from the definition
+    // the attribute must stand here: instantiations declared below would not get it from the definition
     template <bool WithMotion>
     JW_FLATTEN void set_bodies(const double* y);
     /// Evaluates Φ, Φq and ν of every link, and γ with motion.
@@ -53,7 +53,7 @@ protected:
     std::vector<Node> nodes_;
     std::vector<Kinematics6> bodies_;  ///< kinematics of all bodies, fixed ones included
     std::vector<double> j_;            ///< Jᵀ of every side, 6 x B row-major
-    std::vector<double> phi_;          ///< B numbers per link, as the next two
+    std::vector<double> phi_;          ///< B numbers per link, like the next two
     std::vector<double> nu_;
     std::vector<double> gamma_;
 

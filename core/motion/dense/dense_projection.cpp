@@ -24,7 +24,7 @@ double DenseEquations<C>::largest_of_kept_rows(const VectorX& values) const {
     return worst;
 }
 
-/// Computes the sizes of the rows; that of pᵀp = 1 is its gradient itself.
+/// Computes the sizes of the rows; for pᵀp = 1, the size is the gradient itself.
 template <class C>
 void DenseEquations<C>::measure_rows() {
     const double length = extent(scene_->mechanism);
@@ -110,7 +110,7 @@ double DenseEquations<C>::project(double t, double* y) {
     read(y);
     for (const int b : system_.moving_bodies()) { state_.p[at(b)].normalize(); }
     const double before = correct_positions(t);
-    // velocities nearest to those that were: M (q̇ - q̇*) - Φqᵀ μ = 0, Φq q̇ = ν
+    // velocities nearest to the previous ones: M (q̇ - q̇*) - Φqᵀ μ = 0, Φq q̇ = ν
     assembler_.assemble_nu(t);
     velocity_ = assembler_.layout().columns_of(state_, motion_);
     VectorX corrected;

@@ -211,7 +211,7 @@ void ArticulatedTree::respond(
             const Node& here = nodes_[at(n)];
             SixOf<V>& wrench = way == Way::from_j ? wrench_j : wrench_i;
             // joints transmit the two wrenches in different shares: where the paths meet, their remainders
-            // are no longer opposite, and all joints down to the ground feel them
+            // are no longer opposite, and act on all joints down to the ground
             if (way == Way::first_of_both) { wrench = wrench + wrench_j; }
             wrench = tree_passes::respond(here, wrench, e, e_by_D);
             const int numbers = here.hanging == Hanging::axis ? 1 : joint_of(n).velocities();

@@ -10,10 +10,10 @@
 
 /// Bᵀ M B u̇ = Bᵀ (wrenches) for a tree of bodies, without ever forming B or Bᵀ M B.
 ///
-/// From the tips to the ground every node takes up the inertia of its children, reduced by the freedoms of
-/// their joints (articulated-body inertia); from the ground to the tips the accelerations follow. The cost is
-/// linear in the bodies. The pass down is a factorisation Bᵀ M B = F D Fᵀ with D block diagonal, one block
-/// per joint: it computes e = F⁻¹ Bᵀ (wrenches), and the pass up u̇ = F⁻ᵀ D⁻¹ e.
+/// From the tips to the ground, every node receives the inertia of its children, reduced by the freedoms of
+/// their joints (articulated-body inertia); from the ground to the tips, the accelerations follow. The cost
+/// is linear in the bodies. The pass down is a factorisation Bᵀ M B = F D Fᵀ with D block diagonal, one block
+/// per joint: it computes e = F⁻¹ Bᵀ (wrenches), and the pass up computes u̇ = F⁻ᵀ D⁻¹ e.
 /// @source Featherstone, Rigid Body Dynamics Algorithms, ch. 7; here along the global axes
 namespace jw {
 
@@ -109,8 +109,8 @@ public:
     void unfold();
     std::vector<double>& e() { return e_; }
     const std::vector<double>& e() const { return e_; }
-    /// Sets e so that every joint, by itself, would move as `drawn` says: by so many rad, or so many
-    /// `length`. Needs the last inertias folded.
+    /// Sets e so that every joint, by itself, would move by `drawn`, in rad or in units of `length`. Needs
+    /// the last inertias folded.
     /// @param drawn one number per velocity
     void set_forces(std::span<const double> drawn, double length);
     /// u̇ of the last `unfold`.
@@ -120,7 +120,7 @@ public:
     void accelerate(const double* u_dot);
 
     /// Columns of E = Φq B F⁻ᵀ in which a row between nodes i and j has entries: the joints on the paths from
-    /// both to the ground, the common part once. (Φq B alone ends where the two paths meet; F⁻ᵀ does not.)
+    /// both to the ground, with the common part once. (Φq B ends where the two paths meet; F⁻ᵀ does not.)
     std::vector<int> path(int i, int j) const;
     /// Computes e of a pair of wrenches on nodes i and j, and D⁻¹ e, in the order of the path. Needs the last
     /// inertias folded.

@@ -19,8 +19,8 @@ struct Axis {
     Vec3 shift = Vec3::Zero();
 };
 
-/// Places where a body may hang on another: anywhere if that body does not turn, on the axis that it turns
-/// about, or at the one point that all its turns leave in place.
+/// Places where a body may hang on another: anywhere if that body does not turn, on its axis of rotation, or
+/// at the one point that all its turns leave in place.
 enum class Support { anywhere, axis, point };
 
 Support support_of(std::span<const Freedom> motion) {
@@ -51,8 +51,8 @@ Vec3 nearest_to_centre(std::span<const Freedom> motion, const Vec3& point, const
 
 constexpr int kNotYet = -1;
 
-/// Body that has no depth yet, of equal ones the first; -1: all have. A light one would add the inertia of
-/// what it carries to its own and lose that.
+/// Heaviest body that has no depth yet, the first of equal ones; -1 if all have. A light body would add the
+/// inertia of what it carries to its own, and its own would be lost.
 int heaviest_left(const Loads& loads, const std::vector<int>& depth) {
     int heaviest = -1;
     for (std::size_t b = 0; b < depth.size(); ++b) {
@@ -64,7 +64,7 @@ int heaviest_left(const Loads& loads, const std::vector<int>& depth) {
     return heaviest;
 }
 
-/// The axes of a joint, from the parent on; none of a ball and a weld.
+/// The axes of a joint, from the parent on; empty for a ball and a weld.
 /// @param s_parent the parent's axis in the child's frame
 std::vector<Axis> axes_of(const Joint& joint, const Vec3& s_parent, const Vec3& s) {
     const Vec3 none = Vec3::Zero();

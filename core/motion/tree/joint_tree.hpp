@@ -6,26 +6,26 @@
 #include "core/motion/flat_state.hpp"
 #include "core/motion/loads.hpp"
 
-/// A mechanism as a tree of bodies that hang from each other, its loops cut: what joint coordinates are made
-/// of.
+/// A mechanism as a tree of bodies that hang from each other, with its loops cut: the basis of joint
+/// coordinates.
 namespace jw {
 
 /// Connection of a node of the tree to its parent.
 enum class Hanging {
     welded,
-    axis,  ///< one coordinate q: a turn about an axis, a way along it, or (screw) both
-    ball,  ///< p and ω' of its own, one point held
-    free   ///< r, p, ṙ, ω' of its own, from nothing
+    axis,  ///< one coordinate q: a turn about an axis, a displacement along it, or (screw) both
+    ball,  ///< its own p and ω', one point held
+    free   ///< its own r, p, ṙ, ω', not held
 };
 
 /// A body in the tree, or a massless one between two axes of the same joint (cylindrical, universal, planar).
 ///
-/// Node of the tree. At q = 0 it lies beside its parent as at the start. turn' and shift' are what a unit q̇
-/// does: the node's ω and its velocity at the point where it hangs; both are fixed in the node, and have the
-/// same components in its parent.
+/// Node of the tree. At q = 0 it lies relative to its parent as at the start. turn' and shift' are the effect
+/// of a unit q̇: the node's ω and its velocity at the point where it hangs; both are fixed in the node, and
+/// have the same components in its parent.
 struct TreeNode {
     int body = -1;    ///< in the mechanism; -1: massless
-    int parent = -1;  ///< a node before this one; -1: what does not move, its frame is the global one
+    int parent = -1;  ///< an earlier node; -1: the fixed bodies, with the global frame
     Hanging hanging = Hanging::free;
     Vec3 point_parent = Vec3::Zero();  ///< where it hangs at q = 0, in the parent's frame [m]
     Vec3 point_local = Vec3::Zero();   ///< the same point of the node, in its own frame [m]
@@ -49,8 +49,8 @@ struct TreeNode {
 class JointTree {
 public:
     /// Chooses the joints of the tree: those with the fewest freedoms, then those nearest to the ground;
-    /// equations chosen or taken out by hand stay equations. Of bodies that no such joint holds, the heaviest
-    /// moves freely and carries the others.
+    /// equations chosen or taken out by hand stay equations. If no such joint holds some bodies, the heaviest
+    /// of them moves freely and carries the others.
     /// @param start poses of all bodies; the joints hold there
     JointTree(const Centroidal& scene, const State& start);
 

@@ -61,7 +61,7 @@ public:
         double t, const double* y, std::span<const double> drawn, std::span<ProbedBody> bodies) override;
 
     /// Estimated number of products that the rows of loops add to an evaluation, if the share `kept` of them
-    /// is kept. All joints down to the ground feel every row of nested loops on moving bodies.
+    /// is kept. Every row of nested loops on moving bodies affects all joints down to the ground.
     double products_of_rows(double kept) const;
 
     const JointTree& joints() const { return tree_.joints(); }

@@ -126,7 +126,7 @@ JW_INLINE void fold_axis(Node& node, Node& parent, double* e) {
     const SixOf<V> column_by_D = node.inverse_D * column;
     node.column_by_D = column_by_D;
     if (node.parent == 0) { return; }
-    // transfer first, then reduce: only the reduction depends on D
+    // transfer first, then reduce, because only the reduction depends on D
     const InertiaOf<V> all = InertiaOf<V>(parent.inertia) + at_root_of(inertia, arm);
     const SixOf<V> all_wrench = SixOf<V>(parent.wrench) + at_root_of(wrench, arm);
     parent.inertia = without_square(all, column, column_by_D);

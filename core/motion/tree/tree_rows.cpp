@@ -154,8 +154,8 @@ void TreeEquations::measure_rows() {
     }
 }
 
-/// Gram-Schmidt over the rows of E, the one with the largest remainder first. Loops without a common joint
-/// are orthogonal: of every row only the range of u that it reaches is used.
+/// Gram-Schmidt over the rows of E, the row with the largest remainder first. Loops without a common joint
+/// are orthogonal, so only the range of u that a row reaches is used.
 std::vector<int> TreeEquations::independent_rows() const {
     struct Stretch {
         Eigen::Index first;
@@ -274,7 +274,7 @@ double TreeEquations::products_of_rows(double kept) const {
     const auto velocities = at(joints().velocities());
     std::vector<double> rows_on(velocities, 0.0);
     std::vector<std::size_t> first_on(velocities, rows_.size());
-    // transferring a wrench along a path takes some fifty products per joint
+    // it takes some fifty products per joint to transfer a wrench along a path
     constexpr double per_joint = 50.0;
     double products = 0.0;
     for (std::size_t k = 0; k < rows_.size(); ++k) {

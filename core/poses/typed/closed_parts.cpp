@@ -8,7 +8,7 @@ namespace jw {
 
 namespace {
 
-/// Depth-first search over the bodies, with the joints on the way kept until they close a part.
+/// Depth-first search over the bodies. The joints on the way are kept until they close a part.
 class PartSearch {
 public:
     PartSearch(const Mechanism& mechanism, const std::vector<int>& joints)
@@ -28,14 +28,14 @@ public:
     }
 
 private:
-    /// Node of a body in the graph: all fixed ones are one.
+    /// Node of a body in the graph: all fixed bodies are one node.
     int node(int body) const { return mechanism_.bodies[at(body)].fixed ? 0 : body; }
     int visit(int body, int by);
     void close(int base, int joint);
 
     const Mechanism& mechanism_;
     std::vector<std::vector<int>> joints_of_;
-    std::vector<int> order_;  ///< in which bodies are reached, from 1; 0: not yet
+    std::vector<int> order_;  ///< order in which bodies are reached, from 1; 0: not yet
     int reached_ = 0;
     std::vector<int> open_;  ///< joints of parts that are not closed yet
     std::vector<ClosedPart> parts_;

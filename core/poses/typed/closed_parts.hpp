@@ -5,10 +5,10 @@
 #include "core/model/mechanism.hpp"
 
 /// Parts of a mechanism whose joints form closed loops with each other, but none with the rest: only joints
-/// of one part can repeat each other, and no part restrains the motion of another.
+/// of the same part can be redundant with each other, and no part restrains the motion of another.
 namespace jw {
 
-/// Part whose joints stay in one piece without any of its bodies.
+/// Part whose joints stay connected if any one of its bodies is removed.
 struct ClosedPart {
     std::vector<int> joints;  ///< indices in the mechanism, ascending
     int base = 0;             ///< body by which the part hangs on the rest
@@ -19,7 +19,7 @@ struct ClosedPart {
 ///         (1973): biconnected components
 std::vector<ClosedPart> closed_parts(const Mechanism& mechanism, const std::vector<int>& joints);
 
-/// The mechanism with the joints of a part only, in which the base and all other bodies are fixed.
+/// The mechanism with only the joints of a part, in which the base and all other bodies are fixed.
 Mechanism alone(const Mechanism& mechanism, const ClosedPart& part);
 
 }  // namespace jw

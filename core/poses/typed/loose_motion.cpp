@@ -15,7 +15,7 @@ namespace {
 constexpr int kMostSettling = 30;
 constexpr double kSettled = 1e-13;
 constexpr double kShrinking = 0.5;
-// several motions are free: a few mixtures of them
+// if several motions are free: a few mixtures of them
 constexpr int kMostDirections = 3;
 constexpr double kNoDirection = 1e-12;
 
@@ -63,7 +63,7 @@ std::optional<MatrixX> settle(const Mechanism& mechanism, int rank, State& state
     for (int k = 0; k < kMostSettling; ++k) {
         const Svd svd = equations.svd();
         if (!svd.sound || svd.sigma(rank - 1) <= kRankThreshold) { return std::nullopt; }
-        // a decomposition serves as long as its corrections shrink
+        // a decomposition is used as long as its corrections shrink
         double first = 0.0;
         double last = std::numeric_limits<double>::infinity();
         for (double size = 0.0;; last = size) {
@@ -75,7 +75,8 @@ std::optional<MatrixX> settle(const Mechanism& mechanism, int rank, State& state
             state = equations.scaled.moved(state, -(svd.V.leftCols(rank) * c));
             for (Vec4& p : state.p) { p.normalize(); }
             equations.scaled.look(state);
-            // the pose is wrong by the misfit times the first correction, by which the vectors have turned
+            // the error of the pose is the misfit times the first correction, by which the vectors have
+            // turned
             if (size <= kSettled && first * equations.misfit() <= kSettled) {
                 return svd.V.rightCols(svd.V.cols() - rank);
             }
@@ -90,7 +91,8 @@ std::vector<State> walk(const Mechanism& mechanism, int rank, const State& start
     const MatrixX free = svd.V.rightCols(svd.V.cols() - rank);
     std::vector<State> poses{start};
     for (int d = 0; d < std::min(kMostDirections, static_cast<int>(free.cols())); ++d) {
-        // no two weights are equal: where several motions are free, no symmetry of the scene survives
+        // no two weights are equal, so that mixtures of several free motions break every symmetry of the
+        // scene
         VectorX weights(free.cols());
         for (Eigen::Index k = 0; k < weights.size(); ++k) {
             weights(k) = elementary::cos(1.0 + 2.4 * static_cast<double>(k) + d);

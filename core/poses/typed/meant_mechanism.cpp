@@ -52,7 +52,7 @@ private:
     std::vector<Found> found_;
 };
 
-/// Numbers that change the part, with its joints counted in it.
+/// Numbers that change the part; joints are counted within the part.
 std::vector<TypedNumber> Judgement::numbers_of(const ClosedPart& part, bool with_short) const {
     std::vector<TypedNumber> out;
     for (std::size_t k = 0; k < numbers_.size(); ++k) {
@@ -70,7 +70,7 @@ std::vector<TypedNumber> Judgement::numbers_of(const ClosedPart& part, bool with
     return out;
 }
 
-/// Judges the joints in doubt without the others of the part.
+/// Judges only the joints in doubt, without the others of the part.
 void Judgement::judge_less(Mechanism posed, const ClosedPart& part, const RankDoubt& doubt) {
     for (std::size_t b = 0; b < posed.bodies.size(); ++b) {
         posed.bodies[b].r = doubt.start.r[b];
@@ -81,7 +81,7 @@ void Judgement::judge_less(Mechanism posed, const ClosedPart& part, const RankDo
     for (const ClosedPart& less : closed_parts(posed, joints)) { judge(posed, less); }
 }
 
-/// Result for the whole part. Short numbers are taken as rounded only where the long ones alone tell nothing.
+/// Result for the whole part. Short numbers count as rounded only if the long ones alone do not decide.
 std::optional<MeantPart> Judgement::search(
     const Mechanism& mechanism, const ClosedPart& part, const std::vector<TypedNumber>& long_numbers,
     const RankDoubt& doubt) const {
@@ -105,7 +105,7 @@ void Judgement::judge(const Mechanism& posed, const ClosedPart& part) {
         if (found_.size() > before && std::all_of(found_.begin() + before, found_.end(), is_told)) { return; }
     }
     if (mechanism.moving_bodies_count() > kMostTypedBodies) { return; }
-    // what is told of the joints alone stays, unless the whole part is told
+    // a result for these joints alone is kept, unless one for the whole part is found
     auto meant = search(mechanism, part, numbers, *doubt);
     if (meant && (meant->verdict.is_told || found_.size() == before)) {
         found_.resize(before);

@@ -14,25 +14,27 @@ namespace jw {
 
 namespace {
 
-// a change of the numbers moves poses, too, by its size over the last singular value that counts
+// a change of the numbers also moves poses, by its size divided by the last singular value that counts
 constexpr double kMostEffect = 1e3;
 constexpr double kStep = 0.25;  // of the walk, largest turn [rad] or displacement in sizes of the machine
-constexpr double kCheckStep = 0.29;  // other poses than those of the walk
-constexpr int kMostSteps = 14;       // half a turn in either sense
+constexpr double kCheckStep = 0.29;  // gives other poses than those of the walk
+constexpr int kMostSteps = 14;       // half a turn in each direction
 constexpr int kMostCheckSteps = 40;  // nearly two turns
-constexpr int kLeastSteps = 4;       // a motion of a radian is one of finite length
+constexpr int kLeastSteps = 4;       // a motion of a radian counts as finite
 constexpr int kMostFits = 12;
 constexpr int kMostRounds = 4;
-// what all digits together may change, with those that short numbers have lost; more has another reason
+// limit of what all digits together may change, with those that short numbers have lost; more has another
+// cause
 constexpr double kDoubtful = 5.0;
-// a linear fit leaves errors of second order, which the next one removes: as few as can be removed by changes
-// within the half units, since those of weak conditions are as large as what they ask for
+// a linear fit leaves errors of second order, which the next fit removes. The limit is as small as changes
+// within the half units allow, since errors of weak conditions are as large as the changes that they require
 constexpr double kLinearRest = 1e-5;
 constexpr double kMostLinearRest = 2e-2;
 constexpr double kRounding = 1e-16;
 // singular values below it are rounding
 constexpr double kExact = 1e-13;
-// share of a joint in what repeats: others have some of the misfit, those of a loop as much as each other
+// share of a joint in what is redundant: other joints have some of the misfit, joints of a loop have equal
+// shares
 constexpr double kTakesPart = 1e-3;
 
 /// First-order conditions A x = b for the changes x of the numbers, in half units, with which the equations
@@ -69,7 +71,7 @@ private:
     TypedVerdict verdict_;
 };
 
-/// Angles are measured from vectors across the axis.
+/// Makes the vectors from which angles are measured perpendicular to the axis.
 void keep_sides_perpendicular(JointGeometry& g) {
     const auto across = [](const Vec3& u, const Vec3& s) {
         return Vec3((u - u.dot(s) / s.squaredNorm() * s).normalized());
@@ -90,7 +92,7 @@ double largest_half_unit(const std::vector<TypedNumber>& numbers, double length_
     return largest;
 }
 
-/// Orthonormal columns that span the combinations of rows that are zero at this rank.
+/// Orthonormal columns that span the combinations of rows that vanish at this rank.
 MatrixX combinations_of(const JointEquations& equations, int rank) {
     const MatrixX jacobian = equations.scaled.jacobian();
     return svd_of(jacobian.transpose()).V.rightCols(jacobian.rows() - rank);
@@ -137,12 +139,12 @@ Conditions MeantSearch::conditions(const std::vector<State>& poses) const {
     return out;
 }
 
-/// Changes the numbers until all equations hold at all poses, which follow.
+/// Changes the numbers until all equations hold at all poses, which are moved accordingly.
 bool MeantSearch::fit(std::vector<State>& poses) {
     for (int k = 0; k < kMostFits; ++k) {
         const Conditions c = conditions(poses);
         if (c.is_met) { return true; }
-        // of the whole changes, with those made before
+        // for the total changes, including earlier ones
         const VectorX whole = c.b + c.A * changes_;
         const double rounding = kRounding * std::sqrt(static_cast<double>(c.b.size()));
         std::optional<VectorX> changes;
@@ -160,8 +162,8 @@ bool MeantSearch::fit(std::vector<State>& poses) {
     return false;
 }
 
-/// Fits the numbers to the poses of a walk until the equations hold on another, longer one, too; poses of
-/// that one at which they do not are fitted as well.
+/// Fits the numbers to the poses of a walk until the equations also hold on another, longer walk; its poses
+/// at which they do not hold are fitted as well.
 bool MeantSearch::find_meant(State start, std::vector<State> poses) {
     for (int round = 0; round < kMostRounds; ++round) {
         if (!fit(poses) || !settle(mechanism_, rank_, start)) { return false; }
@@ -178,7 +180,7 @@ bool MeantSearch::find_meant(State start, std::vector<State> poses) {
 
 std::optional<MeantPart> MeantSearch::run(State start) {
     if (!settle(mechanism_, rank_, start)) { return std::nullopt; }
-    // a misfit that digits do not explain is mostly seen at the first steps of the long way
+    // a misfit that digits do not explain is usually visible at the first steps of the long walk
     if (conditions(walk(mechanism_, rank_, start, kStep, 1)).excess > kDoubtful) { return std::nullopt; }
     const std::vector<State> poses = walk(mechanism_, rank_, start, kStep, kMostSteps);
     if (static_cast<int>(poses.size()) <= kLeastSteps) { return std::nullopt; }

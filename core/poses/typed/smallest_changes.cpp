@@ -9,7 +9,7 @@ namespace jw {
 
 namespace {
 
-// of the conditions, which are known to about nine digits of a change by half a unit
+// relative to the conditions, which are known to about nine digits of a change by half a unit
 constexpr double kLeastSingular = 1e-9;
 
 }  // namespace

@@ -4,12 +4,12 @@
 
 #include "core/equations/system.hpp"
 
-/// Numbers of joints that are known to their last digit only, and what changes of them do.
+/// Numbers of joints that are known only to their last digit, and the effect of changing them.
 namespace jw {
 
 /// A number that is known to half a unit of its last digit.
 struct TypedNumber {
-    /// Change of a vector, or in its place a scalar, of a joint's geometry per unit of the number.
+    /// Change of a vector, or of a scalar instead, of a joint's geometry per unit of the number.
     struct Change {
         int joint = 0;
         Vec3 JointGeometry::*vector = nullptr;
@@ -20,12 +20,12 @@ struct TypedNumber {
     };
     double half_unit = 0.0;
     std::vector<Change> changes;
-    /// Has few digits and counts as rounded only where nothing else explains the misfit.
+    /// Has few digits, and counts as rounded only if nothing else explains the misfit.
     bool is_short = false;
     int index = 0;  ///< in the list of all
 };
 
-/// Joints with the numbers changed by `changes`, in half units each; axes keep their lengths.
+/// Joints with the numbers changed by `changes`, each in half units; axes keep their lengths.
 std::vector<Joint> changed_joints(
     const std::vector<Joint>& joints, const std::vector<TypedNumber>& numbers, const VectorX& changes);
 
