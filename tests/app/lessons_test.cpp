@@ -81,15 +81,30 @@ TEST_CASE("list names every shipped lesson once", "[app][lessons]") {
     }
 }
 
-TEST_CASE("The table of lessons in README is the one that list makes", "[app][lessons]") {
-    const std::string readme = bytes_of(source_path("README.md"));
+TEST_CASE("The table of lessons in docs is the one that list makes", "[app][lessons]") {
+    const std::string page = bytes_of(source_path("docs/lessons.md"));
     const std::string begin = "<!-- lessons: written by ./dev scenes -->\n";
-    const std::size_t from = readme.find(begin) + begin.size();
-    const std::size_t to = readme.find("<!-- lessons: end -->");
+    const std::size_t from = page.find(begin) + begin.size();
+    const std::size_t to = page.find("<!-- lessons: end -->");
     REQUIRE(from < to);
     REQUIRE(to != std::string::npos);
     INFO("where lessons have changed: ./dev scenes");
-    CHECK(readme.substr(from, to - from) == run({"list", "--format", "markdown"}).out);
+    CHECK(page.substr(from, to - from) == run({"list", "--format", "markdown"}).out);
+}
+
+TEST_CASE("The lesson and the exercise of README hold", "[app][lessons]") {
+    const std::string page = bytes_of(source_path("README.md"));
+    const std::string fence = "```toml\n";
+    std::string door;
+    for (std::size_t at = page.find(fence); at != std::string::npos; at = page.find(fence, at)) {
+        at += fence.size();
+        door += page.substr(at, page.find("```", at) - at) + '\n';
+    }
+    const Folder folder;
+    const Ran ran = run({"check", folder.file("door.toml", door)});
+    INFO(ran.out << ran.err);
+    CHECK(ran.status == 0);
+    CHECK(ran.out.find("3 of 3 claims hold") != std::string::npos);
 }
 
 TEST_CASE("A bar in a lesson's title does not end its cell of the table", "[app][lessons]") {
