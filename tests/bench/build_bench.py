@@ -85,6 +85,8 @@ def main():
 
     rows = {}
     with tempfile.TemporaryDirectory(prefix="jointwise-build-", dir=os.environ.get("TMPDIR")) as folder:
+        # programs of students run as another user, who must find the checkout
+        os.chmod(folder, 0o755)
         clones = {}
         for commit in (given.against, "HEAD"):
             clones[commit] = pathlib.Path(folder) / re.sub(r"\W", "", commit)
