@@ -10,8 +10,8 @@
 #include <imgui.h>
 
 #include "app/host/guarded_screen.hpp"
-#include "render/gl_functions.hpp"
-#include "render/mesa_settings.hpp"
+#include "render/gl/gl_functions.hpp"
+#include "render/surface/mesa_settings.hpp"
 
 namespace jw {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/host/host.hpp"
-#include "render/gl_functions.hpp"
+#include "render/gl/gl_functions.hpp"
 
 /// The window: GLFW and nothing else.
 namespace jw {

@@ -2,7 +2,7 @@
 # Component jointwise is the program, jointwise-dev what other programs are built with.
 include(GNUInstallDirs)
 
-# lessons/data_folder.cpp looks for ../share/jointwise from the folder of the program
+# lessons/files/data_folder.cpp looks for ../share/jointwise from the folder of the program
 set(JW_INSTALL_DATA share/jointwise)
 
 # libraries of the tarball; in Debian's packages the folder is not there, and those of the system are taken
@@ -74,7 +74,7 @@ add_custom_target(jw_installed DEPENDS jw_help_files jointwise ${JW_LIBRARIES})
 install(TARGETS ${JW_LIBRARIES} EXPORT jointwise-targets
   ARCHIVE DESTINATION lib COMPONENT jointwise-dev)
 install(EXPORT jointwise-targets NAMESPACE jointwise:: DESTINATION ${JW_INSTALL_CMAKE} COMPONENT jointwise-dev)
-install(DIRECTORY include/jointwise ${PROJECT_BINARY_DIR}/include/jointwise DESTINATION include
+install(DIRECTORY library/jointwise ${PROJECT_BINARY_DIR}/include/jointwise DESTINATION include
   COMPONENT jointwise-dev FILES_MATCHING PATTERN "*.hpp")
 configure_package_config_file(cmake/jointwise-config.cmake.in ${PROJECT_BINARY_DIR}/jointwise-config.cmake
   INSTALL_DESTINATION ${JW_INSTALL_CMAKE} PATH_VARS JW_INSTALL_DATA)

@@ -8,11 +8,11 @@
 #include "app/panels/frame/annotations.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/picture/still.hpp"
-#include "render/fonts.hpp"
-#include "render/imgui_backend.hpp"
-#include "render/offscreen.hpp"
-#include "render/png.hpp"
-#include "render/scene_renderer.hpp"
+#include "render/files/png.hpp"
+#include "render/fonts/fonts.hpp"
+#include "render/passes/imgui_backend.hpp"
+#include "render/passes/scene_renderer.hpp"
+#include "render/surface/offscreen.hpp"
 
 namespace jw {
 

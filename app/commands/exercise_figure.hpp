@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 namespace jw {
 

@@ -2,14 +2,14 @@
 
 #include <optional>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/experiment_option.hpp"
-#include "app/commands/outputs.hpp"
-#include "app/commands/size_option.hpp"
+#include "app/commands/options/experiment_option.hpp"
+#include "app/commands/options/size_option.hpp"
+#include "app/commands/program/commands.hpp"
+#include "app/commands/program/outputs.hpp"
 #include "app/export/moving_scene.hpp"
 #include "app/host/frames/frame_painter.hpp"
 #include "app/session/output/export.hpp"
-#include "render/atomic_file.hpp"
+#include "render/files/atomic_file.hpp"
 
 namespace jw {
 

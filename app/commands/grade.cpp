@@ -8,16 +8,16 @@
 #include <set>
 #include <sstream>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/course_option.hpp"
-#include "app/commands/format_option.hpp"
+#include "app/commands/options/course_option.hpp"
+#include "app/commands/options/format_option.hpp"
+#include "app/commands/program/commands.hpp"
 #include "app/exercises/grading/grade_reports.hpp"
 #include "app/exercises/grading/workers.hpp"
 #include "app/exercises/random.hpp"
 #include "app/exercises/run/safe_text.hpp"
 #include "app/session/wording/messages.hpp"
-#include "lessons/catalogue.hpp"
-#include "render/atomic_file.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "render/files/atomic_file.hpp"
 
 namespace jw {
 

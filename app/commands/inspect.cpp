@@ -3,15 +3,15 @@
 #include <cmath>
 #include <optional>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/experiment_option.hpp"
-#include "app/commands/format_option.hpp"
-#include "app/commands/outputs.hpp"
+#include "app/commands/options/experiment_option.hpp"
+#include "app/commands/options/format_option.hpp"
+#include "app/commands/program/commands.hpp"
+#include "app/commands/program/outputs.hpp"
 #include "app/commands/proof_file.hpp"
 #include "app/session/output/describe_inspection.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/labels.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw {
 

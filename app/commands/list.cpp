@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/format_option.hpp"
+#include "app/commands/options/format_option.hpp"
+#include "app/commands/program/commands.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/shown_lesson.hpp"
 #include "app/session/wording/text_table.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/course.hpp"
 #include "lessons/exercise/exercise_index.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/search.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/files/course.hpp"
+#include "lessons/files/search.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw {
 

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <string_view>
 
-#include "app/commands/commands.hpp"
 #include "app/commands/new_lesson.hpp"
-#include "lessons/course.hpp"
-#include "lessons/diagnostics.hpp"
-#include "lessons/exact_text.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "app/commands/program/commands.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/files/course.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/typed/exact_text.hpp"
+#include "lessons/write/writer.hpp"
 
 namespace jw {
 

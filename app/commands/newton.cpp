@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/experiment_option.hpp"
-#include "app/commands/format_option.hpp"
+#include "app/commands/options/experiment_option.hpp"
+#include "app/commands/options/format_option.hpp"
+#include "app/commands/program/commands.hpp"
 #include "app/session/benchmark/newton_runs.hpp"
-#include "lessons/diagnostics.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw {
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <iterator>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/experiment_option.hpp"
-#include "app/commands/outputs.hpp"
-#include "app/commands/size_option.hpp"
+#include "app/commands/options/experiment_option.hpp"
+#include "app/commands/options/size_option.hpp"
+#include "app/commands/program/commands.hpp"
+#include "app/commands/program/outputs.hpp"
 #include "app/exercises/grading/grade.hpp"
 #include "app/exercises/practice/lesson_exercises.hpp"
 #include "app/host/lesson/destination.hpp"
@@ -16,11 +16,11 @@
 #include "app/session/story/timeline.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/window.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/diagnostics.hpp"
-#include "render/atomic_file.hpp"
-#include "render/offscreen.hpp"
-#include "render/png.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "render/files/atomic_file.hpp"
+#include "render/files/png.hpp"
+#include "render/surface/offscreen.hpp"
 
 namespace jw {
 

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <array>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/experiment_option.hpp"
-#include "app/commands/outputs.hpp"
+#include "app/commands/options/experiment_option.hpp"
+#include "app/commands/options/quantity_option.hpp"
+#include "app/commands/options/size_option.hpp"
 #include "app/commands/plot_picture.hpp"
-#include "app/commands/quantity_option.hpp"
-#include "app/commands/size_option.hpp"
+#include "app/commands/program/commands.hpp"
+#include "app/commands/program/outputs.hpp"
 #include "app/session/view/inspection.hpp"
 #include "app/session/view/series.hpp"
-#include "lessons/diagnostics.hpp"
-#include "lessons/enum_words.hpp"
-#include "render/atomic_file.hpp"
-#include "render/png.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/lesson/enum_words.hpp"
+#include "render/files/atomic_file.hpp"
+#include "render/files/png.hpp"
 
 namespace jw {
 

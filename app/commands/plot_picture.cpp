@@ -6,8 +6,8 @@
 #include "app/panels/frame/frame.hpp"
 #include "app/panels/parts/characters.hpp"
 #include "app/panels/parts/theme.hpp"
-#include "render/imgui_backend.hpp"
-#include "render/offscreen.hpp"
+#include "render/passes/imgui_backend.hpp"
+#include "render/surface/offscreen.hpp"
 
 namespace jw {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/panels/plot/plot.hpp"
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 
 namespace jw {
 

@@ -2,7 +2,7 @@
 
 #include "app/host/frames/frame_draft.hpp"
 #include "app/session/output/json_proof.hpp"
-#include "render/atomic_file.hpp"
+#include "render/files/atomic_file.hpp"
 
 namespace jw {
 

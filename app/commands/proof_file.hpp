@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/kinematics/proof/proof_record.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 namespace jw {
 

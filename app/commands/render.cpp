@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/frame_range.hpp"
+#include "app/commands/options/frame_range.hpp"
+#include "app/commands/program/commands.hpp"
 #include "app/commands/render_run.hpp"
 #include "app/film/film_steps.hpp"
 

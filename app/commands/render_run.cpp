@@ -10,8 +10,8 @@
 #include "app/session/output/pace.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
-#include "render/mesa_settings.hpp"
-#include "render/offscreen.hpp"
+#include "render/surface/mesa_settings.hpp"
+#include "render/surface/offscreen.hpp"
 
 namespace jw {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/commands/experiment_option.hpp"
-#include "app/commands/frame_range.hpp"
-#include "app/commands/render_options.hpp"
+#include "app/commands/options/experiment_option.hpp"
+#include "app/commands/options/frame_range.hpp"
+#include "app/commands/options/render_options.hpp"
 
 namespace jw {
 

@@ -2,13 +2,13 @@
 
 #include <filesystem>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/course_option.hpp"
 #include "app/commands/exercise_figure.hpp"
-#include "app/commands/format_option.hpp"
+#include "app/commands/options/course_option.hpp"
+#include "app/commands/options/format_option.hpp"
+#include "app/commands/program/commands.hpp"
 #include "app/exercises/grading/sheet.hpp"
 #include "app/exercises/starters.hpp"
-#include "render/atomic_file.hpp"
+#include "render/files/atomic_file.hpp"
 
 namespace jw {
 

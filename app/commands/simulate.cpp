@@ -3,16 +3,16 @@
 #include <cmath>
 #include <optional>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/dynamics_options.hpp"
-#include "app/commands/experiment_option.hpp"
-#include "app/commands/format_option.hpp"
-#include "app/commands/quantity_option.hpp"
+#include "app/commands/options/dynamics_options.hpp"
+#include "app/commands/options/experiment_option.hpp"
+#include "app/commands/options/format_option.hpp"
+#include "app/commands/options/quantity_option.hpp"
+#include "app/commands/program/commands.hpp"
 #include "app/session/output/csv.hpp"
 #include "app/session/output/json_tables.hpp"
 #include "app/session/story/dynamics_run.hpp"
 #include "core/motion/tolerances.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 
 namespace jw {
 

@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/commands/commands.hpp"
+#include "app/commands/program/commands.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/site/live_page.hpp"
 #include "app/site/page_frame.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/data_folder.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/files/data_folder.hpp"
 
 namespace jw {
 

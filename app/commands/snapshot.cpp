@@ -4,15 +4,15 @@
 #include <array>
 #include <set>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/format_option.hpp"
-#include "app/commands/size_option.hpp"
+#include "app/commands/options/format_option.hpp"
+#include "app/commands/options/size_option.hpp"
+#include "app/commands/program/commands.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/snapshot/deleted_lessons.hpp"
 #include "app/snapshot/reports.hpp"
-#include "lessons/file_text.hpp"
-#include "render/atomic_file.hpp"
+#include "lessons/files/file_text.hpp"
+#include "render/files/atomic_file.hpp"
 
 namespace jw {
 

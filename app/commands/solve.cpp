@@ -3,17 +3,17 @@
 #include <cmath>
 #include <optional>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/experiment_option.hpp"
-#include "app/commands/format_option.hpp"
-#include "app/commands/outputs.hpp"
+#include "app/commands/options/experiment_option.hpp"
+#include "app/commands/options/format_option.hpp"
+#include "app/commands/options/quantity_option.hpp"
+#include "app/commands/program/commands.hpp"
+#include "app/commands/program/outputs.hpp"
 #include "app/commands/proof_file.hpp"
-#include "app/commands/quantity_option.hpp"
 #include "app/session/output/csv.hpp"
 #include "app/session/output/json_tables.hpp"
 #include "app/session/view/solution.hpp"
 #include "app/session/wording/numbers.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw {
 

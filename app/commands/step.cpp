@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/experiment_option.hpp"
-#include "app/commands/format_option.hpp"
+#include "app/commands/options/experiment_option.hpp"
+#include "app/commands/options/format_option.hpp"
+#include "app/commands/program/commands.hpp"
 #include "app/session/output/describe.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/story/story_telling.hpp"

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "app/commands/commands.hpp"
-#include "app/commands/experiment_option.hpp"
-#include "app/commands/format_option.hpp"
+#include "app/commands/options/experiment_option.hpp"
+#include "app/commands/options/format_option.hpp"
+#include "app/commands/program/commands.hpp"
 #include "app/session/try/carry_out.hpp"
 #include "app/session/try/possible_experiments.hpp"
 

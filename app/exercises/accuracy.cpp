@@ -7,7 +7,7 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/elementary/elementary.hpp"
-#include "lessons/translatable.hpp"
+#include "lessons/text/translatable.hpp"
 
 namespace jw {
 

@@ -1,7 +1,7 @@
 #include "app/exercises/figure_scene.hpp"
 
 #include "app/exercises/kinds.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw {
 

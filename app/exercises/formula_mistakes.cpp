@@ -3,7 +3,7 @@
 
 #include "app/exercises/alterations.hpp"
 #include "app/exercises/mistakes.hpp"
-#include "lessons/translatable.hpp"
+#include "lessons/text/translatable.hpp"
 
 namespace jw {
 

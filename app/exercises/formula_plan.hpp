@@ -5,7 +5,7 @@
 
 #include "app/exercises/mistakes.hpp"
 #include "app/session/wording/messages.hpp"
-#include "lessons/exercise/exercise.hpp"
+#include "lessons/lesson/exercise.hpp"
 
 /// The formula of an exercise, read, with all its mistaken forms: the same for all variants.
 namespace jw {

@@ -12,7 +12,7 @@
 #include "app/session/wording/messages.hpp"
 #include "core/elementary/elementary.hpp"
 #include "core/numerics/decimal.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 
 namespace jw {
 

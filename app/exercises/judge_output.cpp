@@ -7,10 +7,10 @@
 #include "app/exercises/read_output.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
-#include "lessons/exact_text.hpp"
 #include "lessons/formula/symbol.hpp"
 #include "lessons/formula/symbol_values.hpp"
 #include "lessons/math/read_math.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw {
 

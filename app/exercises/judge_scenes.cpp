@@ -8,9 +8,9 @@
 #include "app/session/wording/numbers.hpp"
 #include "lessons/exercise/scene_difference.hpp"
 #include "lessons/exercise/scene_edits.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/translatable.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/text/translatable.hpp"
+#include "lessons/write/writer.hpp"
 
 namespace jw {
 

@@ -1,6 +1,6 @@
 #include "app/exercises/kinds.hpp"
 
-#include "lessons/translatable.hpp"
+#include "lessons/text/translatable.hpp"
 
 namespace jw {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/exercises/alter.hpp"
-#include "lessons/claims.hpp"
-#include "lessons/translatable.hpp"
+#include "lessons/lesson/claims.hpp"
+#include "lessons/text/translatable.hpp"
 
 /// Mistakes that students make, each as a function of the right formula.
 namespace jw {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/session/wording/shown_lesson.hpp"
-#include "lessons/course.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/course.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw {
 

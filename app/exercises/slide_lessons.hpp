@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/search.hpp"
+#include "lessons/files/search.hpp"
 
 /// Lessons about slides of the lecture.
 namespace jw {

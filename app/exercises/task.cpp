@@ -7,8 +7,8 @@
 
 #include "app/exercises/mistakes.hpp"
 #include "app/exercises/random.hpp"
-#include "lessons/diagnostics.hpp"
-#include "lessons/translatable.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/text/translatable.hpp"
 
 namespace jw {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "app/exercises/random.hpp"
-#include "lessons/exact_text.hpp"
 #include "lessons/exercise/scene_edits.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw {
 

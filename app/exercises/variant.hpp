@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/exercises/formula_plan.hpp"
-#include "lessons/exercise/exercise.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/exercise.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// Exercises with drawn parameters.
 namespace jw {

@@ -3,7 +3,7 @@
 #include "app/export/rigid_parts.hpp"
 #include "app/session/picture/picture_parts.hpp"
 #include "core/jets/euler_parameters.hpp"
-#include "render/instances.hpp"
+#include "render/passes/instances.hpp"
 
 namespace jw {
 
@@ -35,7 +35,7 @@ std::vector<int> moments_of(const Story& story) {
     return moments;
 }
 
-/// Appends a copy of `shape`, placed as the vertex shader places it (render/shapes.hpp).
+/// Appends a copy of `shape`, placed as the vertex shader places it (render/scene/shapes.hpp).
 void append(gltf::Mesh& mesh, const render::Mesh& shape, const render::Instance& instance) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     for (const render::MeshVertex& vertex : shape.vertices) {

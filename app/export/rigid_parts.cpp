@@ -6,7 +6,7 @@
 
 #include "app/session/picture/picture_parts.hpp"
 #include "core/numerics/variants.hpp"
-#include "lessons/things.hpp"
+#include "lessons/lesson/things.hpp"
 
 namespace jw {
 

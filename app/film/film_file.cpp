@@ -9,8 +9,8 @@
 #include "app/film/film_page.hpp"
 #include "app/film/movie.hpp"
 #include "render/animation/gif.hpp"
-#include "render/atomic_file.hpp"
-#include "render/png_reader.hpp"
+#include "render/files/atomic_file.hpp"
+#include "render/files/png_reader.hpp"
 
 namespace jw::film {
 

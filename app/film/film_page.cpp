@@ -9,7 +9,7 @@
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"
 #include "render/animation/animation.hpp"
-#include "render/png.hpp"
+#include "render/files/png.hpp"
 
 namespace jw::film {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/film/film_pictures.hpp"
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 
 namespace jw::film {
 

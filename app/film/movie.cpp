@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "app/film/child_process.hpp"
-#include "render/atomic_file.hpp"
+#include "render/files/atomic_file.hpp"
 
 namespace jw::film {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "app/hard/shipped.hpp"
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 
 namespace jw::hard {
 

@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "app/session/story/story.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw::hard {
 

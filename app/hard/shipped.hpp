@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// Lessons that come with the program, as material of the cases.
 namespace jw::hard {

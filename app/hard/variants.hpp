@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/poses/rank.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// The mechanisms of lessons altered, so that one can see whether verdicts stay.
 namespace jw::hard {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/session/wording/messages.hpp"
-#include "render/gl_errors.hpp"
+#include "render/gl/gl_errors.hpp"
 
 namespace jw::host {
 

@@ -14,7 +14,7 @@
 #include "app/session/try/carry_out.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
-#include "lessons/exercise/exercise_texts.hpp"
+#include "lessons/exercise/for_each_text.hpp"
 
 namespace jw::host {
 

@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "app/host/lesson/address.hpp"
+#include "app/host/lesson/background_story.hpp"
 #include "app/host/lesson/lesson_file.hpp"
-#include "app/host/lesson/lesson_shelf.hpp"
-#include "app/host/lesson/long_telling.hpp"
+#include "app/host/lesson/lesson_list.hpp"
 #include "app/host/lesson/saving.hpp"
 #include "app/host/lesson/unsaved.hpp"
 #include "app/host/parts/exercise_desk.hpp"
 #include "app/host/parts/notice.hpp"
 #include "app/host/parts/predictions.hpp"
-#include "app/host/parts/scene_hand.hpp"
+#include "app/host/parts/scene_input.hpp"
 #include "app/host/tabs/tabs.hpp"
 #include "app/host/ui/scaled_fonts.hpp"
 #include "app/host/ui/ui.hpp"
@@ -136,7 +136,7 @@ public:
     const Picture& picture();
     /// The last picture(), with its versions.
     const ShownPicture& shown() const { return shown_; }
-    LessonShelf& shelf() { return shelf_; }
+    LessonList& shelf() { return shelf_; }
     const ScaledFonts& fonts() const { return fonts_; }
 
     /// Task set by a command. Whoever draws carries it out, and reports it with done().
@@ -209,7 +209,7 @@ private:
     WindowLayout layout_;
     InputQueue events_;
 
-    LessonShelf shelf_;
+    LessonList shelf_;
     LessonFile file_;
     std::unique_ptr<Session> session_;
     std::string name_;  ///< of the open lesson, as in addresses
@@ -218,12 +218,12 @@ private:
 
     UiState state_;
     Tabs tabs_;
-    SceneHand hand_;
+    SceneInput hand_;
     ShownPicture shown_;
     Notice notice_;
     Predictions predictions_;
     ExerciseDesk desk_;
-    LongTelling telling_;
+    BackgroundStories telling_;
     std::deque<std::function<void()>> waiting_;  ///< the first for its story, the others for their turn
     std::optional<Experiment> pulled_;           ///< last value of a slider moved while a story was computed
     std::string wanted_exercise_;                ///< named by an address, until it begins; usually empty

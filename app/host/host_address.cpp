@@ -6,7 +6,7 @@
 #include "app/host/lesson/destination.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 
 namespace jw::host {
 

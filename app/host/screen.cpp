@@ -7,21 +7,21 @@
 
 #include "app/host/frames/frame_painter.hpp"
 #include "app/host/frames/recorder.hpp"
-#include "app/host/lesson/long_telling.hpp"
+#include "app/host/lesson/background_story.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/output/pace.hpp"
 #include "app/session/picture/picture_camera.hpp"
 #include "app/session/story/timeline.hpp"
 #include "app/session/wording/messages.hpp"
-#include "lessons/reader.hpp"
-#include "render/atomic_file.hpp"
-#include "render/gl_errors.hpp"
-#include "render/id_buffer.hpp"
-#include "render/imgui_backend.hpp"
-#include "render/picture_texture.hpp"
-#include "render/png.hpp"
-#include "render/render_targets.hpp"
-#include "render/scene_renderer.hpp"
+#include "lessons/read/reader.hpp"
+#include "render/files/atomic_file.hpp"
+#include "render/files/png.hpp"
+#include "render/gl/gl_errors.hpp"
+#include "render/gl/picture_texture.hpp"
+#include "render/gl/render_targets.hpp"
+#include "render/passes/id_buffer.hpp"
+#include "render/passes/imgui_backend.hpp"
+#include "render/passes/scene_renderer.hpp"
 
 namespace jw::host {
 
@@ -88,7 +88,7 @@ struct Screen::Surface {
     render::RenderTargets* targets = nullptr;       ///< the one of this frame
     std::unique_ptr<render::RenderTargets> small;   ///< for thumbnails
     std::vector<std::unique_ptr<render::PictureTexture>> thumbnails;
-    LongTelling telling;  ///< of the lesson whose thumbnail comes next
+    BackgroundStories telling;  ///< of the lesson whose thumbnail comes next
     std::optional<Drawn> drawn;
     std::unique_ptr<Recording> recording;
 };
@@ -183,7 +183,7 @@ int Screen::pick(float x, float y) {
 }
 
 void Screen::draw_one_thumbnail() {
-    LongTelling& telling = surface_->telling;
+    BackgroundStories& telling = surface_->telling;
     const bool waits = telling.is_busy() && !telling.is_done();
     for (CatalogueEntry& entry : host_->shelf().entries()) {
         if (entry.thumbnail != nullptr || !entry.error.empty()) { continue; }

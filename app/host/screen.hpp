@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/host/host.hpp"
-#include "render/gl_functions.hpp"
-#include "render/image.hpp"
+#include "render/files/image.hpp"
+#include "render/gl/gl_functions.hpp"
 
 /// Draws a host through a table of GL functions, in a window or in memory.
 namespace jw::host {

@@ -11,12 +11,12 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/text_width.hpp"
 #include "app/site/lesson_parts.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/course.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercises.hpp"
-#include "lessons/file_text.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/files/course.hpp"
+#include "lessons/files/file_text.hpp"
 
 namespace jw::site {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/host/frames/frame_painter.hpp"
-#include "render/png.hpp"
+#include "render/files/png.hpp"
 
 namespace jw::site {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/site/lesson_page.hpp"
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 
 namespace jw::site {
 

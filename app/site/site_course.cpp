@@ -10,11 +10,11 @@
 #include "app/session/try/trials.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
-#include "lessons/course.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercises.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/course.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw::site {
 

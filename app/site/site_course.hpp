@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "app/session/claims/checks.hpp"
-#include "lessons/exercise/exercise.hpp"
-#include "lessons/lesson.hpp"
-#include "lessons/search.hpp"
+#include "lessons/files/search.hpp"
+#include "lessons/lesson/exercise.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// A course as its site shows it: checked lessons in their order, with their exercises.
 namespace jw::site {

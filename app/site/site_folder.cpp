@@ -7,8 +7,8 @@
 #include "app/host/frames/frame_draft.hpp"
 #include "app/host/frames/refuse.hpp"
 #include "app/session/output/json.hpp"
-#include "lessons/file_text.hpp"
-#include "render/atomic_file.hpp"
+#include "lessons/files/file_text.hpp"
+#include "render/files/atomic_file.hpp"
 
 namespace jw::site {
 

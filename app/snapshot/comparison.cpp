@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "app/host/frames/environment.hpp"
-#include "lessons/diagnostics.hpp"
-#include "lessons/exact_text.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw::snapshot {
 

@@ -6,8 +6,8 @@
 
 #include "app/snapshot/fact_changes.hpp"
 #include "app/snapshot/taken.hpp"
-#include "lessons/snapshot_rules.hpp"
-#include "render/image_difference.hpp"
+#include "lessons/files/snapshot_rules.hpp"
+#include "render/files/image_difference.hpp"
 
 /// Two snapshots of the same thing, compared layer by layer.
 namespace jw::snapshot {

@@ -6,7 +6,7 @@
 
 #include "app/session/picture/pointable.hpp"
 #include "app/snapshot/comparison.hpp"
-#include "render/image_difference.hpp"
+#include "render/files/image_difference.hpp"
 
 namespace jw::snapshot {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/snapshot/taken.hpp"
-#include "lessons/snapshot_rules.hpp"
+#include "lessons/files/snapshot_rules.hpp"
 
 /// Negative controls: faults that every suite must notice, made in a snapshot that is right.
 namespace jw::snapshot {

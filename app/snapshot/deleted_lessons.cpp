@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "lessons/file_text.hpp"
-#include "render/atomic_file.hpp"
+#include "lessons/files/file_text.hpp"
+#include "render/files/atomic_file.hpp"
 
 namespace jw::snapshot {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/snapshot/units_of_keys.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/exercise/scene_difference.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 
 namespace jw::snapshot {
 

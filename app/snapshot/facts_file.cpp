@@ -6,8 +6,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "lessons/diagnostics.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw::snapshot {
 

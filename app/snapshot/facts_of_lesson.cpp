@@ -1,6 +1,6 @@
 #include "app/snapshot/fact_list.hpp"
 #include "app/snapshot/facts_of_loads.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 namespace jw::snapshot {
 

@@ -1,7 +1,7 @@
 #include "app/snapshot/facts_of_loads.hpp"
 
 #include "app/snapshot/units_of_keys.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw::snapshot {
 

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "render/atomic_file.hpp"
-#include "render/png.hpp"
-#include "render/png_reader.hpp"
+#include "render/files/atomic_file.hpp"
+#include "render/files/png.hpp"
+#include "render/files/png_reader.hpp"
 
 namespace jw::snapshot {
 

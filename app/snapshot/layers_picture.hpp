@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/model/mechanism.hpp"
-#include "render/image.hpp"
-#include "render/picture_layers.hpp"
+#include "render/files/image.hpp"
+#include "render/scene/picture_layers.hpp"
 
 namespace jw::snapshot {
 

@@ -4,9 +4,9 @@
 
 #include "app/session/wording/numbers.hpp"
 #include "app/snapshot/reports.hpp"
-#include "lessons/diagnostics.hpp"
-#include "lessons/enum_words.hpp"
-#include "lessons/printable.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/lesson/enum_words.hpp"
+#include "lessons/text/printable.hpp"
 
 namespace jw::snapshot {
 

@@ -1,7 +1,7 @@
 #include "app/snapshot/scene_names.hpp"
 
 #include "app/session/picture/pointable.hpp"
-#include "lessons/things.hpp"
+#include "lessons/lesson/things.hpp"
 
 namespace jw::snapshot {
 

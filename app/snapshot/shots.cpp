@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 
 namespace jw::snapshot {
 

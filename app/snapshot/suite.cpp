@@ -7,9 +7,9 @@
 
 #include "app/session/wording/numbers.hpp"
 #include "app/snapshot/explanation.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/diagnostics.hpp"
-#include "render/png.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "render/files/png.hpp"
 
 namespace jw::snapshot {
 

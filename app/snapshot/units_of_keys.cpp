@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 #include "lessons/format/key.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "app/session/output/json.hpp"
 #include "app/web/browser.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/write/writer.hpp"
 
 /// A benchmark in another copy of the program: the page has no threads, and a reference may take a minute.
 namespace jw {

@@ -1,7 +1,7 @@
 #include "app/host/frames/recorder.hpp"
 #include "app/session/wording/messages.hpp"
 #include "render/animation/animation.hpp"
-#include "render/atomic_file.hpp"
+#include "render/files/atomic_file.hpp"
 
 namespace jw::host {
 

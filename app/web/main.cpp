@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "app/session/beside/worker.hpp"
+#include "app/session/background/worker.hpp"
 #include "app/web/browser.hpp"
 #include "app/web/keys.hpp"
 #include "app/web/page.hpp"
-#include "app/web/words.hpp"
+#include "app/web/page_words.hpp"
 
 /// The functions that page.js calls. None of them throws: errors are returned as text.
 namespace {
@@ -57,7 +57,7 @@ EMSCRIPTEN_KEEPALIVE const char* jw_begin(
     const char* canvas, int width, int height, double density, double text_scale, int dark,
     const char* language, const char* lessons) {
     return problem_of([&] {
-        // folder of the program's catalogue (lessons/catalogue.hpp)
+        // folder of the program's catalogue (lessons/files/catalogue.hpp)
         ::setenv("JOINTWISE_LESSONS", lessons, 1);
         page = std::make_unique<jw::web::Page>(jw::web::PageSetup{
             canvas, width, height, static_cast<float>(density), static_cast<float>(text_scale), dark != 0,

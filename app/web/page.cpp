@@ -14,8 +14,8 @@
 #include "app/session/wording/messages.hpp"
 #include "app/web/browser.hpp"
 #include "app/web/webgl_context.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw::web {
 

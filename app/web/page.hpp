@@ -7,7 +7,7 @@
 
 #include "app/host/guarded_screen.hpp"
 #include "app/host/host.hpp"
-#include "render/headless_context.hpp"
+#include "render/surface/headless_context.hpp"
 
 /// The interface in a web page: the host, a canvas, and files in the memory of the page.
 namespace jw::web {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "render/headless_context.hpp"
+#include "render/surface/headless_context.hpp"
 
 namespace jw::web {
 

@@ -15,4 +15,4 @@
 #include "app/session/view/view.hpp"
 #include "app/session/wording/messages.hpp"
 #include "cmake/precompiled/core.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"

@@ -9,5 +9,5 @@
 #include <string_view>
 
 #include "cmake/precompiled/core.hpp"
-#include "lessons/fields.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/fields/fields.hpp"
+#include "lessons/lesson/lesson.hpp"

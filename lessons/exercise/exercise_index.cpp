@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "lessons/catalogue.hpp"
-#include "lessons/file_text.hpp"
-#include "lessons/toml_text.hpp"
+#include "lessons/fields/toml_text.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/files/file_text.hpp"
 
 namespace jw {
 

@@ -5,9 +5,9 @@
 #include <set>
 #include <sstream>
 
-#include "lessons/fields.hpp"
-#include "lessons/file_text.hpp"
-#include "lessons/toml_text.hpp"
+#include "lessons/fields/fields.hpp"
+#include "lessons/fields/toml_text.hpp"
+#include "lessons/files/file_text.hpp"
 
 namespace jw {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/exercise/exercise.hpp"
+#include "lessons/lesson/exercise.hpp"
 
 /// Files around exercises: the key of a course, the answers of a student, the list of a class.
 namespace jw {

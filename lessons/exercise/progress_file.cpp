@@ -1,8 +1,8 @@
 #include "lessons/exercise/progress_file.hpp"
 
-#include "lessons/exact_text.hpp"
-#include "lessons/fields.hpp"
-#include "lessons/toml_text.hpp"
+#include "lessons/fields/fields.hpp"
+#include "lessons/fields/toml_text.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw {
 

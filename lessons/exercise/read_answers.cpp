@@ -2,12 +2,12 @@
 #include <cmath>
 #include <sstream>
 
-#include "lessons/exact_text.hpp"
 #include "lessons/exercise/read_exercise_parts.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 #include "lessons/format/claim_keys.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw::reading {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lessons/exercise/exercise.hpp"
-#include "lessons/fields.hpp"
+#include "lessons/fields/fields.hpp"
+#include "lessons/lesson/exercise.hpp"
 
 /// Parts of the reader of exercises.
 namespace jw::reading {

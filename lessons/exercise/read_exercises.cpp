@@ -7,10 +7,10 @@
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercise_parts.hpp"
 #include "lessons/exercise/scene_edits.hpp"
-#include "lessons/file_text.hpp"
+#include "lessons/fields/toml_text.hpp"
+#include "lessons/files/file_text.hpp"
 #include "lessons/format/exercise_keys.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/toml_text.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "lessons/diagnostics.hpp"
-#include "lessons/exercise/exercise.hpp"
-#include "lessons/fields.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/fields/fields.hpp"
+#include "lessons/lesson/exercise.hpp"
 
 /// Exercise files: TOML as described in docs/exercises.md; the tables [[exercise]] of a lesson likewise.
 namespace jw {

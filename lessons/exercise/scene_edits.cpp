@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "lessons/exercise/scene_nodes.hpp"
-#include "lessons/language_tag.hpp"
+#include "lessons/text/language_tag.hpp"
 
 namespace jw {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/exercise/exercise.hpp"
+#include "lessons/lesson/exercise.hpp"
 
 /// Changes of a lesson file as text, so that its comments and everything else stay unchanged.
 ///

@@ -7,11 +7,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lessons/course.hpp"
-#include "lessons/enum_words.hpp"
 #include "lessons/explanations/explanation_texts.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/translations.hpp"
+#include "lessons/files/course.hpp"
+#include "lessons/lesson/enum_words.hpp"
+#include "lessons/lesson/translations.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw {
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/codes.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/codes.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 
 /// Pages about the codes of diagnostics: cause, remedy, and an example, wrong and corrected.
 namespace jw {

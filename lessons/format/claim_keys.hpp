@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/quantity/names.hpp"
-#include "lessons/enum_words.hpp"
 #include "lessons/format/key.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 /// Keys of claims, questions, trials and texts of steps.
 namespace jw::format {

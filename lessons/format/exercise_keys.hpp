@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lessons/exercise/exercise.hpp"
 #include "lessons/format/claim_keys.hpp"
+#include "lessons/lesson/exercise.hpp"
 
 /// Keys of exercises, in a lesson or in a file of their own.
 namespace jw::format {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/integrate/methods.hpp"
-#include "lessons/enum_words.hpp"
 #include "lessons/format/member_key.hpp"
-#include "lessons/lesson.hpp"
-#include "lessons/typed.hpp"
+#include "lessons/lesson/enum_words.hpp"
+#include "lessons/lesson/lesson.hpp"
+#include "lessons/typed/typed.hpp"
 
 /// Keys of drivers, motions, dynamics and loads.
 namespace jw::format {

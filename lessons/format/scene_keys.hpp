@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/model/joint_types.hpp"
-#include "lessons/enum_words.hpp"
 #include "lessons/format/member_key.hpp"
-#include "lessons/lesson.hpp"
-#include "lessons/typed.hpp"
+#include "lessons/lesson/enum_words.hpp"
+#include "lessons/lesson/lesson.hpp"
+#include "lessons/typed/typed.hpp"
 
 /// Keys of the lesson, of bodies, shapes, joints and the camera.
 namespace jw::format {

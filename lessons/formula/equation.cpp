@@ -2,8 +2,8 @@
 #include <sstream>
 #include <utility>
 
-#include "lessons/exact_text.hpp"
 #include "lessons/formula/evaluate_formula.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw::formula {
 

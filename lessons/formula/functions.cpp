@@ -5,7 +5,7 @@
 
 #include "core/eigen/decompositions.hpp"
 #include "core/elementary/elementary.hpp"
-#include "lessons/exact_text.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw::formula {
 

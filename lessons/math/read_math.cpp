@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/math/symbols.hpp"
 
 namespace jw::math {

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "core/numerics/variants.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/math/symbols.hpp"
 #include "lessons/math/write_math.hpp"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 
 /// Files that contain a sequence of pictures.
 namespace jw::render {

@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "render/animation/animation.hpp"
-#include "render/png.hpp"
-#include "render/png_chunks.hpp"
+#include "render/files/png.hpp"
+#include "render/files/png_chunks.hpp"
 
 namespace jw::render {
 

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 
 /// Replaces many colours by a few.
 namespace jw::render {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session/encoding/xml_text.hpp"
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

@@ -3,9 +3,9 @@
 #include <fstream>
 #include <set>
 
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

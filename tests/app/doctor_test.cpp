@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/commands/doctor.hpp"
-#include "render/offscreen.hpp"
+#include "app/commands/help/doctor.hpp"
+#include "render/surface/offscreen.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

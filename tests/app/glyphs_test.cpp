@@ -1,15 +1,15 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/check_texts.hpp"
+#include "app/commands/check/check_texts.hpp"
 #include "app/panels/parts/characters.hpp"
 #include "app/session/wording/messages.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/course.hpp"
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercises.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/translations.hpp"
-#include "render/fonts.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/files/course.hpp"
+#include "lessons/lesson/translations.hpp"
+#include "lessons/read/reader.hpp"
+#include "render/fonts/fonts.hpp"
 #include "tests/app/messages/in_language.hpp"
 #include "tests/app/program.hpp"
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "app/hard/report.hpp"
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

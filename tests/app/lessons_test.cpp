@@ -5,8 +5,8 @@
 #include "app/session/claims/checks.hpp"
 #include "app/session/story/story.hpp"
 #include "app/session/view/view.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/search.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/files/search.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 #include "tests/lessons/support.hpp"
 

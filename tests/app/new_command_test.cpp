@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/session/view/series.hpp"
-#include "render/png.hpp"
+#include "render/files/png.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 #include "tests/support/read_png.hpp"

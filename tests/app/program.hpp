@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/program.hpp"
+#include "app/commands/program/program.hpp"
 #include "tests/support/crank.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -5,7 +5,7 @@
 #include <regex>
 #include <sstream>
 
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

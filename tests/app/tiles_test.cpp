@@ -7,8 +7,8 @@
 #include "app/host/frames/frame_painter.hpp"
 #include "app/session/story/story.hpp"
 #include "app/session/view/view.hpp"
-#include "lessons/reader.hpp"
-#include "render/image_difference.hpp"
+#include "lessons/read/reader.hpp"
+#include "render/files/image_difference.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

@@ -32,10 +32,10 @@ constexpr std::array<std::string_view, 11> kSession{
     "core/",
     "lessons/",
     "Eigen/",
-    "render/scene.hpp",
-    "render/camera.hpp",
-    "render/framing.hpp",
-    "render/palette.hpp",
+    "render/scene/scene.hpp",
+    "render/scene/camera.hpp",
+    "render/scene/framing.hpp",
+    "render/scene/palette.hpp",
     "nlohmann/"};
 // of render what one needs to set text and to find a point on the picture
 constexpr std::array<std::string_view, 10> kPanels{
@@ -44,11 +44,11 @@ constexpr std::array<std::string_view, 10> kPanels{
     "core/",
     "lessons/",
     "Eigen/",
-    "render/camera.hpp",
-    "render/fonts.hpp",
-    "render/math_alphabets.hpp",
+    "render/scene/camera.hpp",
+    "render/fonts/fonts.hpp",
+    "render/fonts/math_alphabets.hpp",
     "imgui.h",
-    "render/palette.hpp"};
+    "render/scene/palette.hpp"};
 
 // the interface knows no window and no command; exercises are practised in it, and know nothing of it
 constexpr std::array<std::string_view, 14> kHost{
@@ -84,7 +84,7 @@ constexpr std::array<std::string_view, 5> kHard{"app/hard/", "app/session/", "co
 
 // what other programs see shows nothing of what is behind it
 constexpr std::array<std::string_view, 2> kHeadersOfLibrary{"jointwise/", "Eigen/"};
-constexpr std::array<std::string_view, 9> kLibrary{"api/",      "jointwise/",       "core/",
+constexpr std::array<std::string_view, 9> kLibrary{"library/",  "jointwise/",       "core/",
                                                    "lessons/",  "render/",          "app/session/",
                                                    "app/film/", "app/host/frames/", "Eigen/"};
 
@@ -96,8 +96,8 @@ constexpr std::array kFolders{
     FolderRule{"core/", kCore},
     FolderRule{"lessons/", kLessons},
     FolderRule{"render/", kRender},
-    FolderRule{"include/", kHeadersOfLibrary},
-    FolderRule{"api/", kLibrary},
+    FolderRule{"library/jointwise/", kHeadersOfLibrary},
+    FolderRule{"library/", kLibrary},
     FolderRule{"app/session/", kSession},
     FolderRule{"app/panels/", kPanels},
     FolderRule{"app/host/", kHost},
@@ -112,30 +112,69 @@ constexpr std::array kFolders{
     FolderRule{"app/exercises/", kExercises}};
 
 /// Rooms from the bottom up: each knows itself and those before it.
-constexpr std::array<std::string_view, 36> kRooms{
-    "core/elementary/",      "core/eigen/",
-    "core/numerics/",        "core/jets/",
-    "core/model/",           "core/equations/",
-    "core/poses/",           "core/poses/typed/",
-    "core/motion/",          "core/motion/block/",
-    "core/motion/tree/",     "core/motion/dense/",
-    "core/kinematics/",      "core/integrate/",
-    "core/quantity/",        "app/session/beside/",
-    "app/session/encoding/", "app/session/wording/",
-    "app/session/story/",    "app/session/answers/",
-    "app/session/view/",     "app/session/picture/",
-    "app/session/claims/",   "app/session/output/",
-    "app/session/try/",      "app/session/benchmark/",
-    "app/panels/parts/",     "app/panels/plot/",
-    "app/panels/column/",    "app/panels/frame/",
-    "app/host/lesson/",      "app/host/frames/",
-    "app/host/ui/",          "app/host/tabs/",
-    "app/host/parts/",       "app/host/",
-};
+constexpr std::array kRooms = std::to_array<std::string_view>({
+    "core/elementary/",
+    "core/eigen/",
+    "core/numerics/",
+    "core/jets/",
+    "core/model/",
+    "core/equations/",
+    "core/poses/",
+    "core/poses/typed/",
+    "core/motion/",
+    "core/motion/block/",
+    "core/motion/tree/",
+    "core/motion/dense/",
+    "core/kinematics/",
+    "core/integrate/",
+    "core/quantity/",
+    "lessons/text/",
+    "lessons/diagnostics/",
+    "lessons/math/",
+    "lessons/typed/",
+    "lessons/formula/",
+    "lessons/lesson/",
+    "lessons/format/",
+    "lessons/fields/",
+    "lessons/files/",
+    "lessons/read/",
+    "lessons/precision/",
+    "lessons/write/",
+    "lessons/exercise/",
+    "lessons/explanations/",
+    "render/scene/",
+    "render/fonts/",
+    "render/files/",
+    "render/animation/",
+    "render/gl/",
+    "render/passes/",
+    "render/surface/",
+    "app/session/background/",
+    "app/session/encoding/",
+    "app/session/wording/",
+    "app/session/story/",
+    "app/session/answers/",
+    "app/session/view/",
+    "app/session/picture/",
+    "app/session/claims/",
+    "app/session/output/",
+    "app/session/try/",
+    "app/session/benchmark/",
+    "app/panels/parts/",
+    "app/panels/plot/",
+    "app/panels/column/",
+    "app/panels/frame/",
+    "app/host/lesson/",
+    "app/host/frames/",
+    "app/host/ui/",
+    "app/host/tabs/",
+    "app/host/parts/",
+    "app/host/",
+});
 
 /// Folders that consist of rooms alone.
-constexpr std::array<std::string_view, 4> kFoldersOfRooms{
-    "core/", "app/session/", "app/panels/", "app/host/"};
+constexpr std::array<std::string_view, 6> kFoldersOfRooms{"core/",        "lessons/",    "render/",
+                                                          "app/session/", "app/panels/", "app/host/"};
 
 /// Place of the innermost room that a path lies in, or nothing.
 std::optional<std::size_t> room_of(std::string_view path) {
@@ -154,15 +193,16 @@ struct LibraryRule {
 };
 
 constexpr std::array kLibraries{
-    LibraryRule{"GL/osmesa.h", "render/osmesa_context\\.cpp"},
-    LibraryRule{"EGL/", "render/egl_context\\.cpp"},
-    LibraryRule{"GL/glcorearb.h", "render/gl_functions\\.hpp"},
+    LibraryRule{"GL/osmesa.h", "render/surface/osmesa_context\\.cpp"},
+    LibraryRule{"EGL/", "render/surface/egl_context\\.cpp"},
+    LibraryRule{"GL/glcorearb.h", "render/gl/gl_functions\\.hpp"},
     LibraryRule{"GLFW/", "app/window\\.[ch]pp"},
-    LibraryRule{"ft2build.h", "render/font_face\\.cpp"},
+    LibraryRule{"ft2build.h", "render/fonts/font_face\\.cpp"},
     LibraryRule{
-        "imgui.h", "render/(fonts|imgui_backend|picture_texture)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
-    LibraryRule{"cairo", "render/vector_picture\\.cpp"},
-    LibraryRule{"libdeflate.h", "render/png(_chunks)?\\.cpp"},
+        "imgui.h",
+        "render/(fonts/fonts|passes/imgui_backend|gl/picture_texture)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
+    LibraryRule{"cairo", "render/files/vector_picture\\.cpp"},
+    LibraryRule{"libdeflate.h", "render/files/png(_chunks)?\\.cpp"},
     LibraryRule{"gif_lib.h", "render/animation/gif\\.cpp"},
     LibraryRule{"sha256.h", "app/host/frames/frame_draft\\.cpp"},
     LibraryRule{"toml++/", "lessons/.*"},

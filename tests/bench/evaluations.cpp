@@ -5,7 +5,7 @@
 
 #include "core/integrate/simulation.hpp"
 #include "core/numerics/triples.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/bench/clock.hpp"
 
 /// `evaluations LESSON joints|bodies COUNT [--time]`: so many accelerations at the start of a lesson of

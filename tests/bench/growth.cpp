@@ -8,7 +8,7 @@
 #include "app/session/output/describe.hpp"
 #include "app/session/output/describe_inspection.hpp"
 #include "app/session/view/solution.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/bench/clock.hpp"
 
 /// `growth`: milliseconds that the commands spend on lessons of 10 to 500 bodies, and the exponent of the

@@ -7,9 +7,9 @@
 
 #include "app/host/host.hpp"
 #include "app/host/screen.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
-#include "render/offscreen.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
+#include "render/surface/offscreen.hpp"
 #include "tests/bench/clock.hpp"
 
 /// Processor time of the interface: a frame at rest, a step shown anew, a pull on a body, and the start; one

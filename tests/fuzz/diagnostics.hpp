@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 
 namespace jw::fuzz {
 

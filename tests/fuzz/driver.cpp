@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace jw::fuzz {

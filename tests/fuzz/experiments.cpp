@@ -3,8 +3,8 @@
 
 #include "app/session/try/carry_out.hpp"
 #include "app/session/try/experiment_text.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace jw::fuzz {

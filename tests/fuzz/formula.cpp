@@ -6,7 +6,7 @@
 #include "lessons/formula/symbol_values.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/write_math.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace jw::fuzz {

@@ -1,5 +1,5 @@
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/fuzz/diagnostics.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/lessons/lesson_difference.hpp"

@@ -1,7 +1,7 @@
 #include <span>
 
-#include "render/png.hpp"
-#include "render/png_reader.hpp"
+#include "render/files/png.hpp"
+#include "render/files/png_reader.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace jw::fuzz {

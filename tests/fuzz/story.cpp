@@ -3,7 +3,7 @@
 #include "app/session/output/json.hpp"
 #include "app/session/picture/picture.hpp"
 #include "app/session/view/view.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace jw::fuzz {

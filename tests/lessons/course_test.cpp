@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "lessons/catalogue.hpp"
-#include "lessons/course.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/files/course.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace jw::test {

@@ -1,10 +1,10 @@
-#include "lessons/data_folder.hpp"
+#include "lessons/files/data_folder.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <fstream>
 
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace jw::test {

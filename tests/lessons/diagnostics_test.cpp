@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "tests/lessons/support.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/integrate/simulation.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// Trajectories of lessons by every way of integrating them.
 namespace jw::test {

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/integrate/explicit_integrator.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/lessons/lesson_difference.hpp"
 #include "tests/lessons/support.hpp"
 #include "tests/support/dynamics_scenes.hpp"

@@ -1,4 +1,4 @@
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 #include <set>
 

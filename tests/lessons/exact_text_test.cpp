@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "lessons/exact_text.hpp"
-#include "lessons/typed.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/typed/exact_text.hpp"
+#include "lessons/typed/typed.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/lessons/lesson_difference.hpp"
 #include "tests/lessons/support.hpp"
 #include "tests/support/random_mechanisms.hpp"

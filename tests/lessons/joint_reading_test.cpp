@@ -4,7 +4,7 @@
 #include <numbers>
 #include <set>
 
-#include "lessons/equation_labels.hpp"
+#include "lessons/lesson/equation_labels.hpp"
 #include "tests/lessons/support.hpp"
 
 using namespace jw;

@@ -1,10 +1,10 @@
 #include <catch2/catch.hpp>
 
-#include "lessons/in_language.hpp"
-#include "lessons/language_tag.hpp"
-#include "lessons/search.hpp"
-#include "lessons/translations.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/files/search.hpp"
+#include "lessons/lesson/in_language.hpp"
+#include "lessons/lesson/translations.hpp"
+#include "lessons/text/language_tag.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/lessons/lesson_difference.hpp"
 #include "tests/lessons/random_lessons.hpp"
 #include "tests/lessons/support.hpp"

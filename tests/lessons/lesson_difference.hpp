@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// Lessons compared member by member.
 namespace jw::test {

@@ -7,8 +7,8 @@
 #include "lessons/math/symbols.hpp"
 #include "lessons/math/text_parts.hpp"
 #include "lessons/math/write_math.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/lessons/support.hpp"
 
 namespace jw::math::test {

@@ -4,9 +4,9 @@
 
 #include "core/quantity/evaluate.hpp"
 #include "core/quantity/names.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/exact_text.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/typed/exact_text.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/lessons/random_lessons.hpp"
 #include "tests/lessons/support.hpp"
 #include "tests/support/moved_along.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/model/placement.hpp"
-#include "lessons/equation_labels.hpp"
-#include "lessons/typed.hpp"
+#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/typed/typed.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
 /// Lessons that say everything a lesson can say, all numbers random.

@@ -5,12 +5,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "lessons/catalogue.hpp"
 #include "lessons/exercise/read_exercises.hpp"
-#include "lessons/fields.hpp"
+#include "lessons/fields/fields.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "lessons/format/exercise_keys.hpp"
 #include "lessons/format/key.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/lessons/random_lessons.hpp"
 #include "tests/lessons/support.hpp"
 

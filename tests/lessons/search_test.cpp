@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "lessons/search.hpp"
+#include "lessons/files/search.hpp"
 #include "tests/lessons/support.hpp"
 
 namespace jw::test {

@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 
 /// Lessons for the tests of the reader.
 namespace jw::test {

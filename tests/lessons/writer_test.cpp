@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
-#include "lessons/catalogue.hpp"
-#include "lessons/exact_text.hpp"
-#include "lessons/typed.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/typed/exact_text.hpp"
+#include "lessons/typed/typed.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/lessons/lesson_difference.hpp"
 #include "tests/lessons/random_lessons.hpp"
 #include "tests/lessons/support.hpp"

@@ -6,9 +6,9 @@
 #include "render/animation/animation.hpp"
 #include "render/animation/colour_table.hpp"
 #include "render/animation/gif.hpp"
-#include "render/png.hpp"
-#include "render/png_chunks.hpp"
-#include "render/png_reader.hpp"
+#include "render/files/png.hpp"
+#include "render/files/png_chunks.hpp"
+#include "render/files/png_reader.hpp"
 
 namespace jw::render::test {
 namespace {

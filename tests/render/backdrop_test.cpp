@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "render/drawn_part.hpp"
-#include "render/framing.hpp"
-#include "render/scene_view.hpp"
+#include "render/passes/drawn_part.hpp"
+#include "render/passes/scene_view.hpp"
+#include "render/scene/framing.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

@@ -2,9 +2,9 @@
 
 #include <fstream>
 
-#include "render/font_face.hpp"
-#include "render/font_file.hpp"
-#include "render/fonts.hpp"
+#include "render/fonts/font_face.hpp"
+#include "render/fonts/font_file.hpp"
+#include "render/fonts/fonts.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

@@ -6,8 +6,8 @@
 
 #include <imgui.h>
 
-#include "render/fonts.hpp"
-#include "render/math_alphabets.hpp"
+#include "render/fonts/fonts.hpp"
+#include "render/fonts/math_alphabets.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

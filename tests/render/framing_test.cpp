@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "render/framing.hpp"
+#include "render/scene/framing.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <set>
 
-#include "render/framing.hpp"
-#include "render/id_buffer.hpp"
-#include "render/render_targets.hpp"
+#include "render/gl/render_targets.hpp"
+#include "render/passes/id_buffer.hpp"
+#include "render/scene/framing.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

@@ -4,7 +4,7 @@
 #include <map>
 #include <random>
 
-#include "render/image_difference.hpp"
+#include "render/files/image_difference.hpp"
 
 namespace jw::render::test {
 namespace {

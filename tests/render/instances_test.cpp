@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "render/instances.hpp"
+#include "render/passes/instances.hpp"
 
 namespace jw::render::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "render/mesa_settings.hpp"
+#include "render/surface/mesa_settings.hpp"
 
 namespace jw::render::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "render/orbit.hpp"
+#include "render/scene/orbit.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "render/framing.hpp"
+#include "render/scene/framing.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

@@ -4,9 +4,9 @@
 
 #include <imgui.h>
 
-#include "render/fonts.hpp"
-#include "render/imgui_backend.hpp"
-#include "render/picture_texture.hpp"
+#include "render/fonts/fonts.hpp"
+#include "render/gl/picture_texture.hpp"
+#include "render/passes/imgui_backend.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "render/id_buffer.hpp"
+#include "render/passes/id_buffer.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "render/framing.hpp"
-#include "render/png.hpp"
+#include "render/files/png.hpp"
+#include "render/scene/framing.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

@@ -4,8 +4,8 @@
 #include <random>
 #include <string_view>
 
-#include "render/png.hpp"
-#include "render/png_reader.hpp"
+#include "render/files/png.hpp"
+#include "render/files/png_reader.hpp"
 
 namespace jw::render::test {
 

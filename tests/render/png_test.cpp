@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "render/atomic_file.hpp"
-#include "render/png.hpp"
+#include "render/files/atomic_file.hpp"
+#include "render/files/png.hpp"
 #include "tests/render/support.hpp"
 #include "tests/support/read_png.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "render/shapes.hpp"
+#include "render/scene/shapes.hpp"
 
 namespace jw::render::test {
 namespace {

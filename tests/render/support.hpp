@@ -5,11 +5,11 @@
 
 #include <Eigen/Core>
 
-#include "render/camera.hpp"
-#include "render/image.hpp"
-#include "render/offscreen.hpp"
-#include "render/scene.hpp"
-#include "render/scene_renderer.hpp"
+#include "render/files/image.hpp"
+#include "render/passes/scene_renderer.hpp"
+#include "render/scene/camera.hpp"
+#include "render/scene/scene.hpp"
+#include "render/surface/offscreen.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 /// Parts shared by several tests of the renderer.

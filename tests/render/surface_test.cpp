@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "render/framing.hpp"
-#include "render/headless_context.hpp"
-#include "render/id_buffer.hpp"
-#include "render/render_targets.hpp"
+#include "render/gl/render_targets.hpp"
+#include "render/passes/id_buffer.hpp"
+#include "render/scene/framing.hpp"
+#include "render/surface/headless_context.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

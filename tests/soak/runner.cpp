@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "lessons/writer.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/soak/arbitrary.hpp"
 #include "tests/support/generators/as_lesson.hpp"
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "core/quantity/names.hpp"
-#include "lessons/typed.hpp"
+#include "lessons/typed/typed.hpp"
 
 namespace jw::test {
 

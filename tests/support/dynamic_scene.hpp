@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// Putting together a lesson of dynamics in code.
 namespace jw::test {

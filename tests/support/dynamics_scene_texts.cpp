@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/write/writer.hpp"
 
 namespace jw::test {
 

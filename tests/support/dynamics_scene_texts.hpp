@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// What the course says about the shipped scenes of dynamics: the question before each, what to try and to
 /// break, what to remember.

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// The scenes of dynamics that are measured and shown, for any number of bodies. All start assembled, with
 /// velocities that the joints allow. Definitions: IFToMM library of computational benchmark problems, and two

@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "app/snapshot/comparison.hpp"
-#include "render/atomic_file.hpp"
-#include "render/png.hpp"
+#include "render/files/atomic_file.hpp"
+#include "render/files/png.hpp"
 #include "tests/support/read_png.hpp"
 
 namespace jw::test {

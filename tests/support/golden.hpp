@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 
 /// Pictures of windows that were looked at. `./dev golden` draws them anew; look at each before it is
 /// committed. They are compared as the colours of snapshots are, by the same rules.

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "render/png_reader.hpp"
+#include "render/files/png_reader.hpp"
 
 namespace jw::test {
 

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "core/motion/loads.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// Invariants of every lesson that was read.
 namespace jw::test {

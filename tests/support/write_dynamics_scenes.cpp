@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "lessons/writer.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/support/dynamics_scenes.hpp"
 
 /// Writes the lessons of dynamics that the program ships: ./dev scenes.

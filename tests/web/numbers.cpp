@@ -11,8 +11,8 @@
 #include "app/session/story/story.hpp"
 #include "app/session/view/inspection.hpp"
 #include "app/session/view/solution.hpp"
-#include "lessons/enum_words.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/lesson/enum_words.hpp"
+#include "lessons/read/reader.hpp"
 
 /// The numbers of lessons, as the commands of the same names tell them by default: a program without files
 /// but those that it is given, which also runs where there are no commands. What it prints is the same on

@@ -6,7 +6,7 @@
 #include "app/host/host_state.hpp"
 #include "app/host/lesson/address.hpp"
 #include "app/web/keys.hpp"
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 
 /// The interface led by a script, as a page is led by its browser: events in, states out. Each line of the
 /// input is an event; each line of the output is the address and the state after a frame.

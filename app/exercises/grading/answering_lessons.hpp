@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/exercises/slide_lessons.hpp"
-#include "lessons/exercise/exercise.hpp"
+#include "lessons/lesson/exercise.hpp"
 
 /// Lessons that answer the mistakes of a class, within the page about it.
 namespace jw {

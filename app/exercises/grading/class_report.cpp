@@ -6,7 +6,7 @@
 #include "app/session/encoding/html_words.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
-#include "lessons/translatable.hpp"
+#include "lessons/text/translatable.hpp"
 
 namespace jw {
 

@@ -7,8 +7,8 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/shown_lesson.hpp"
-#include "lessons/exact_text.hpp"
 #include "lessons/exercise/handed_in.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "app/session/wording/messages.hpp"
-#include "lessons/translatable.hpp"
+#include "lessons/text/translatable.hpp"
 
 namespace jw {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/exercise/exercise.hpp"
+#include "lessons/lesson/exercise.hpp"
 
 /// The exercises of a lesson.
 namespace jw {

@@ -7,7 +7,7 @@
 #include "app/exercises/random.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
-#include "lessons/course.hpp"
+#include "lessons/files/course.hpp"
 
 namespace jw {
 

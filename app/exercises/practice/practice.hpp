@@ -11,7 +11,7 @@
 #include "app/exercises/practice/progress.hpp"
 #include "app/exercises/practice/verdict.hpp"
 #include "app/exercises/slide_lessons.hpp"
-#include "app/session/beside/background.hpp"
+#include "app/session/background/background.hpp"
 
 /// Practice with the exercises of a lesson, without drawing.
 namespace jw {

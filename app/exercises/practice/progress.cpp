@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/session/wording/messages.hpp"
-#include "lessons/file_text.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/files/file_text.hpp"
+#include "lessons/write/writer.hpp"
 
 namespace jw {
 

@@ -5,7 +5,7 @@
 #include "app/exercises/kinds.hpp"
 #include "app/exercises/starters.hpp"
 #include "app/session/wording/messages.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/write/writer.hpp"
 
 namespace jw {
 

@@ -5,10 +5,10 @@
 #include <set>
 #include <utility>
 
-#include "render/font_face.hpp"
-#include "render/font_file.hpp"
-#include "render/font_search.hpp"
-#include "render/scene_renderer.hpp"
+#include "render/fonts/font_face.hpp"
+#include "render/fonts/font_file.hpp"
+#include "render/fonts/font_search.hpp"
+#include "render/passes/scene_renderer.hpp"
 
 namespace jw::host {
 

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "app/host/frames/refuse.hpp"
-#include "render/atomic_file.hpp"
-#include "render/png_chunks.hpp"
+#include "render/files/atomic_file.hpp"
+#include "render/files/png_chunks.hpp"
 
 namespace jw::host {
 

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "app/session/output/json.hpp"
-#include "render/atomic_file.hpp"
-#include "render/png.hpp"
+#include "render/files/atomic_file.hpp"
+#include "render/files/png.hpp"
 
 namespace jw::host {
 

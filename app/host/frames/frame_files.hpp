@@ -6,8 +6,8 @@
 
 #include "app/host/frames/frame_folder.hpp"
 #include "app/session/view/view.hpp"
-#include "render/image.hpp"
-#include "render/png.hpp"
+#include "render/files/image.hpp"
+#include "render/files/png.hpp"
 
 /// Pictures of a lesson as files, and the manifest that maps each to its step.
 namespace jw::host {

@@ -8,7 +8,7 @@
 
 #include "app/host/frames/refuse.hpp"
 #include "app/session/output/json.hpp"
-#include "render/atomic_file.hpp"
+#include "render/files/atomic_file.hpp"
 
 namespace jw::host {
 

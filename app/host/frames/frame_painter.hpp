@@ -6,12 +6,12 @@
 
 #include "app/session/picture/picture.hpp"
 #include "app/session/view/view.hpp"
-#include "render/frame_size.hpp"
-#include "render/gl_functions.hpp"
-#include "render/image.hpp"
-#include "render/palette.hpp"
-#include "render/picture_layers.hpp"
-#include "render/vector_picture.hpp"
+#include "render/files/image.hpp"
+#include "render/files/vector_picture.hpp"
+#include "render/gl/gl_functions.hpp"
+#include "render/scene/frame_size.hpp"
+#include "render/scene/palette.hpp"
+#include "render/scene/picture_layers.hpp"
 
 namespace jw::host {
 

@@ -6,7 +6,7 @@
 
 #include "app/session/output/json.hpp"
 #include "app/session/view/view.hpp"
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 
 /// Output of the pictures of a lesson.
 namespace jw::host {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/panels/parts/strokes.hpp"
-#include "render/fonts.hpp"
-#include "render/vector_picture.hpp"
+#include "render/files/vector_picture.hpp"
+#include "render/fonts/fonts.hpp"
 
 namespace jw::host {
 

@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "app/session/encoding/percent.hpp"
-#include "app/session/wording/words.hpp"
-#include "lessons/diagnostics.hpp"
-#include "lessons/exact_text.hpp"
-#include "lessons/typed.hpp"
-#include "lessons/utf8.hpp"
+#include "app/session/wording/typed_words.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/text/utf8.hpp"
+#include "lessons/typed/exact_text.hpp"
+#include "lessons/typed/typed.hpp"
 
 namespace jw::host {
 

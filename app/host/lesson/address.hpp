@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/camera.hpp"
+#include "render/scene/camera.hpp"
 
 /// Addresses of states of the window: `four-bar/12?try=form+D+drop+x&tab=plots`. They follow the # of a
 /// page's URL, or `jointwise open`; docs/command-line.md describes them.

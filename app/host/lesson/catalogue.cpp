@@ -7,11 +7,11 @@
 
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/course.hpp"
-#include "lessons/diagnostics.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/files/course.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/write/writer.hpp"
 
 namespace jw::host {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lessons/exercise/exercise_index.hpp"
-#include "lessons/search.hpp"
+#include "lessons/files/search.hpp"
 
 /// The lessons that can be opened: those of the catalogue by chapter, and those opened last.
 namespace jw::host {
@@ -40,7 +40,7 @@ std::filesystem::path lesson_at_address(
     const std::string& name, const std::filesystem::path& folder,
     const std::vector<std::filesystem::path>& others);
 
-/// Entries that a search shows (lessons/search.hpp).
+/// Entries that a search shows (lessons/files/search.hpp).
 std::vector<int> found_in(const std::vector<CatalogueEntry>& entries, const std::string& search);
 
 /// The lessons opened last, newest first, kept in a small text file.

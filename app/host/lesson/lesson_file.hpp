@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw::host {
 

@@ -4,8 +4,8 @@
 
 #include "app/host/lesson/unsaved.hpp"
 #include "app/session/wording/messages.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/write/writer.hpp"
 
 namespace jw::host {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lessons/writer.hpp"
+#include "lessons/write/writer.hpp"
 
 namespace jw::host {
 

@@ -9,7 +9,7 @@
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/frame/caption.hpp"
 #include "app/panels/parts/parts.hpp"
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
@@ -87,7 +87,7 @@ std::string headline(const CatalogueEntry& entry) {
 
 /// One card at ImGui's cursor, below the name of its chapter if it is the first one. A click opens it.
 void card(
-    const Ui& ui, LessonShelf& shelf, const Progress& progress, int index, float width,
+    const Ui& ui, LessonList& shelf, const Progress& progress, int index, float width,
     bool first_of_chapter) {
     const CatalogueEntry& entry = shelf.entries()[static_cast<std::size_t>(index)];
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -122,7 +122,7 @@ void card(
     ImGui::PopID();
 }
 
-void search_field(LessonShelf& shelf, float width) {
+void search_field(LessonList& shelf, float width) {
     std::array<char, 128> text{};
     shelf.search().copy(text.data(), text.size() - 1);
     ImGui::SetNextItemWidth(width);
@@ -144,7 +144,7 @@ void draw_head(const Canvas& canvas, const Box& box) {
 }
 
 /// Head of an upright window: the name with buttons beside it, and the search below.
-void upright_head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
+void upright_head(const Ui& ui, const Box& box, LessonList& shelf, bool has_lesson) {
     draw_head(ui.canvas, box);
     Area area(ui, "lessons head", box);
     const float help = ImGui::GetFrameHeight();
@@ -159,7 +159,7 @@ void upright_head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_les
     search_field(shelf, box.width - 2.0F * ui.px(16.0F));
 }
 
-void head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
+void head(const Ui& ui, const Box& box, LessonList& shelf, bool has_lesson) {
     draw_head(ui.canvas, box);
     const float width = ui.px(460.0F);
     Area area(
@@ -175,7 +175,7 @@ void head(const Ui& ui, const Box& box, LessonShelf& shelf, bool has_lesson) {
 }  // namespace
 
 void browser(
-    const Ui& ui, const WindowLayout& window, LessonShelf& shelf, const Progress& progress, bool has_lesson) {
+    const Ui& ui, const WindowLayout& window, LessonList& shelf, const Progress& progress, bool has_lesson) {
     Box rest = window.whole;
     ui.canvas.fill(rest, theme::kShade);
     if (window.upright) {
@@ -204,7 +204,7 @@ void browser(
     }
 }
 
-bool act_in_browser(const InputEvent& event, LessonShelf& shelf, Requests& requests) {
+bool act_in_browser(const InputEvent& event, LessonList& shelf, Requests& requests) {
     const bool typing = ImGui::GetIO().WantTextInput;
     if (event.kind == InputEvent::Kind::text) {
         // letters are for the search even if its field does not have the keyboard

@@ -2,7 +2,7 @@
 
 #include "app/exercises/practice/lesson_exercises.hpp"
 #include "app/exercises/practice/progress.hpp"
-#include "app/host/lesson/lesson_shelf.hpp"
+#include "app/host/lesson/lesson_list.hpp"
 #include "app/host/ui/ui.hpp"
 #include "app/host/ui/window_layout.hpp"
 
@@ -12,10 +12,10 @@ namespace jw::host {
 /// @param progress  of the exercises that the cards count
 /// @param has_lesson  a lesson is open, so there is a way back to it
 void browser(
-    const Ui& ui, const WindowLayout& window, LessonShelf& shelf, const Progress& progress, bool has_lesson);
+    const Ui& ui, const WindowLayout& window, LessonList& shelf, const Progress& progress, bool has_lesson);
 
 /// Handles keys and letters while the lessons are shown.
 /// @return whether the event was for the browser
-bool act_in_browser(const InputEvent& event, LessonShelf& shelf, Requests& requests);
+bool act_in_browser(const InputEvent& event, LessonList& shelf, Requests& requests);
 
 }  // namespace jw::host

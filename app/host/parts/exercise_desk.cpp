@@ -8,8 +8,8 @@
 #include "app/exercises/practice/starter.hpp"
 #include "app/host/lesson/unsaved.hpp"
 #include "app/session/wording/messages.hpp"
-#include "lessons/file_text.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/files/file_text.hpp"
+#include "lessons/write/writer.hpp"
 
 namespace jw::host {
 
@@ -131,7 +131,7 @@ void ExerciseDesk::begin_work(const Task& task, ExerciseTab& tab) {
     StoryOptions how;
     how.with_motion = shows_motion(exercise);
     const auto lesson = std::make_shared<const Lesson>(std::move(*read.lesson));
-    telling_ = std::make_unique<ToldBeside>(lesson, std::make_unique<StoryTelling>(*lesson, how));
+    telling_ = std::make_unique<BackgroundStory>(lesson, std::make_unique<StoryTelling>(*lesson, how));
 }
 
 std::string ExerciseDesk::check(const OpenLesson& open, const std::string& answer) {

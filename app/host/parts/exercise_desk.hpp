@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/exercises/practice/practice.hpp"
+#include "app/host/lesson/background_story.hpp"
 #include "app/host/lesson/lesson_file.hpp"
-#include "app/host/lesson/long_telling.hpp"
 #include "app/host/tabs/exercise_tab.hpp"
 #include "app/session/picture/still.hpp"
 #include "app/session/try/session.hpp"
@@ -79,7 +79,7 @@ private:
     std::optional<SetAside> aside_;
     std::shared_ptr<const Still> figure_;
     std::unique_ptr<Background<std::shared_ptr<const Still>>> drawing_;
-    std::unique_ptr<ToldBeside> telling_;
+    std::unique_ptr<BackgroundStory> telling_;
     std::vector<std::unique_ptr<BackgroundWork>> given_up_;
 };
 

@@ -8,7 +8,7 @@
 #include "app/host/parts/bar_buttons.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/parts.hpp"
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"

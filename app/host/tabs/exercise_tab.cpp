@@ -5,11 +5,11 @@
 
 #include <imgui.h>
 
-#include "app/host/tabs/exercise_sentences.hpp"
-#include "app/host/tabs/exercise_words.hpp"
+#include "app/host/tabs/exercise_labels.hpp"
+#include "app/host/tabs/exercise_widgets.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/parts.hpp"
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/exercises/practice/practice.hpp"
-#include "app/host/tabs/exercise_words.hpp"
+#include "app/host/tabs/exercise_widgets.hpp"
 #include "app/host/ui/ui.hpp"
 
 namespace jw::host {

@@ -8,14 +8,14 @@
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/column/direction_sphere.hpp"
 #include "app/panels/parts/formula.hpp"
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/view/series.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/quantity/quantity.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw::host {
 

@@ -5,7 +5,7 @@
 #include <imgui.h>
 
 #include "app/host/ui/widgets.hpp"
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/session/story/featured.hpp"
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"

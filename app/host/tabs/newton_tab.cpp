@@ -9,7 +9,7 @@
 #include "app/panels/plot/newton_comparison.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw::host {
 

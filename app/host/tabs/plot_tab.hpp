@@ -6,7 +6,7 @@
 #include "app/host/ui/ui.hpp"
 #include "app/panels/plot/plot.hpp"
 #include "app/session/view/series.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw::host {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "render/fonts.hpp"
+#include "render/fonts/fonts.hpp"
 
 namespace jw::host {
 

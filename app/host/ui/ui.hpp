@@ -10,7 +10,7 @@
 #include "app/panels/frame/frame.hpp"
 #include "app/panels/parts/canvas.hpp"
 #include "app/session/try/session.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 /// Values shared by the parts of the interface: the state that they see and their requests. Nothing changes
 /// while a frame is drawn; the host carries out the requests afterwards.

@@ -6,7 +6,7 @@
 
 #include "app/panels/parts/canvas.hpp"
 #include "core/numerics/linear.hpp"
-#include "render/camera.hpp"
+#include "render/scene/camera.hpp"
 
 /// Sphere of all directions of the axis s_i. The colour is the smaller singular value of the two rows of p1
 /// or p2 in use: it shows which pair is good for which direction.

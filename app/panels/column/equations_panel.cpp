@@ -6,7 +6,7 @@
 #include <imgui.h>
 
 #include "app/panels/parts/formula.hpp"
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
 

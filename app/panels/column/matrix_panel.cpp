@@ -7,7 +7,7 @@
 
 #include "app/panels/column/matrix_layout.hpp"
 #include "app/panels/parts/formula.hpp"
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"

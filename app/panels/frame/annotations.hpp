@@ -4,7 +4,7 @@
 
 #include "app/panels/parts/canvas.hpp"
 #include "app/session/picture/picture.hpp"
-#include "render/camera.hpp"
+#include "render/scene/camera.hpp"
 
 /// Names beside points of the 3D picture.
 namespace jw::panels {

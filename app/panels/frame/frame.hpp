@@ -3,8 +3,8 @@
 #include "app/panels/parts/canvas.hpp"
 #include "app/session/picture/picture.hpp"
 #include "app/session/view/view.hpp"
-#include "render/camera.hpp"
-#include "render/fonts.hpp"
+#include "render/fonts/fonts.hpp"
+#include "render/scene/camera.hpp"
 
 /// A whole frame: title, the 3D picture with its labels, caption, and the column of panels.
 namespace jw::panels {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/camera.hpp"
+#include "render/scene/camera.hpp"
 
 /// Rectangles of panels in pixels of the frame: origin at the top left corner, y down.
 namespace jw::panels {

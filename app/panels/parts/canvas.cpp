@@ -5,7 +5,7 @@
 
 #include <imgui.h>
 
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/session/wording/character_classes.hpp"
 
 namespace jw::panels {

@@ -9,8 +9,8 @@
 #include "app/panels/parts/strokes.hpp"
 #include "app/session/picture/pointable.hpp"
 #include "app/session/view/symbols.hpp"
-#include "render/fonts.hpp"
-#include "render/palette.hpp"
+#include "render/fonts/fonts.hpp"
+#include "render/scene/palette.hpp"
 
 struct ImDrawList;
 struct ImFont;

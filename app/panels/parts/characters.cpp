@@ -4,8 +4,8 @@
 
 #include "app/session/wording/character_classes.hpp"
 #include "app/session/wording/messages.hpp"
-#include "lessons/in_language.hpp"
-#include "render/fonts.hpp"
+#include "lessons/lesson/in_language.hpp"
+#include "render/fonts/fonts.hpp"
 
 namespace jw::panels {
 

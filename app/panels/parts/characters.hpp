@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// Characters that fonts must have.
 namespace jw::panels {

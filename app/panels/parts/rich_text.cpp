@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"
 
 namespace jw::panels {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "app/panels/parts/box.hpp"
-#include "render/palette.hpp"
+#include "render/scene/palette.hpp"
 
 struct ImFont;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/palette.hpp"
+#include "render/scene/palette.hpp"
 
 /// Colours of panels by their meaning; the hues are those of the whole picture.
 namespace jw::panels::theme {

@@ -7,7 +7,7 @@
 
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/rich_text.hpp"
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"
 
 namespace jw::panels {

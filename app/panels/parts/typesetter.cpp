@@ -5,12 +5,12 @@
 #include <imgui.h>
 
 #include "app/panels/parts/formula_parts.hpp"
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "core/numerics/variants.hpp"
 #include "lessons/formula/text_symbols.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/symbols.hpp"
-#include "render/math_alphabets.hpp"
+#include "render/fonts/math_alphabets.hpp"
 
 namespace jw::panels {
 

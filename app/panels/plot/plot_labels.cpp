@@ -4,10 +4,10 @@
 
 #include <imgui.h>
 
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/panels/plot/plot_parts.hpp"
 #include "app/session/wording/numbers.hpp"
-#include "render/math_alphabets.hpp"
+#include "render/fonts/math_alphabets.hpp"
 
 namespace jw::panels {
 

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 #include "app/panels/plot/plot_parts.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"

@@ -3,7 +3,7 @@
 #include <mutex>
 #include <utility>
 
-#include "app/session/beside/worker.hpp"
+#include "app/session/background/worker.hpp"
 
 namespace jw {
 

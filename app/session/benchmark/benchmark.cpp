@@ -10,7 +10,7 @@
 
 #include "app/session/wording/numbers.hpp"
 #include "core/elementary/elementary.hpp"
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 
 namespace jw {
 

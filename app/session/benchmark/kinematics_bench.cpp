@@ -7,7 +7,7 @@
 
 #include "app/session/story/story.hpp"
 #include "core/kinematics/motion_tracker.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// Speed against error of kinematics: position, velocity and acceleration per moment of a driven motion.
 namespace jw {

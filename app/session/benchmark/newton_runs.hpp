@@ -6,7 +6,7 @@
 #include "app/session/benchmark/newton_comparison.hpp"
 #include "app/session/output/json.hpp"
 #include "core/poses/newton_methods.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 /// Newton's method in several ways from the same start in a story: the comparison of newton_comparison.hpp
 /// with its numbers.

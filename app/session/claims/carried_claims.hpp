@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 namespace jw {
 

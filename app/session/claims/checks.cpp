@@ -16,9 +16,9 @@
 #include "app/session/wording/shown_lesson.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/numerics/variants.hpp"
-#include "lessons/diagnostics.hpp"
-#include "lessons/exact_text.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/math/text_parts.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw {
 

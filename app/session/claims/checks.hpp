@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// Proves the claims of a lesson.
 namespace jw {

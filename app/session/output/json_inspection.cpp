@@ -4,7 +4,7 @@
 #include "app/session/view/view_equations.hpp"
 #include "app/session/wording/labels.hpp"
 #include "core/numerics/variants.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw {
 

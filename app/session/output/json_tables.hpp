@@ -5,7 +5,7 @@
 #include "app/session/output/json.hpp"
 #include "app/session/story/dynamics_run.hpp"
 #include "app/session/view/solution.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 /// JSON of tables over time, as `solve` and `simulate` write them.
 namespace jw {

@@ -6,8 +6,8 @@
 
 #include "app/session/picture/pointable.hpp"
 #include "app/session/story/story.hpp"
-#include "render/framing.hpp"
-#include "render/scene.hpp"
+#include "render/scene/framing.hpp"
+#include "render/scene/scene.hpp"
 
 /// The 3D part of a step's picture: bodies, joints, and the vectors of the joint that the step is about.
 namespace jw {

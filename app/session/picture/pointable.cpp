@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "lessons/equation_labels.hpp"
+#include "lessons/lesson/equation_labels.hpp"
 
 namespace jw {
 

@@ -4,7 +4,7 @@
 
 #include "app/session/view/symbols.hpp"
 #include "core/equations/system.hpp"
-#include "lessons/things.hpp"
+#include "lessons/lesson/things.hpp"
 
 /// Places on the screen that belong together: a number in a panel, its symbol in the formula, its row in the
 /// matrix, its vector and its bodies in 3D. Pointing at one highlights the others.

@@ -8,7 +8,7 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/motion/reactions.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 
 /// Why a simulation ended early, in words.
 namespace jw {

@@ -5,7 +5,7 @@
 #include "core/integrate/simulation.hpp"
 #include "core/quantity/evaluate.hpp"
 #include "core/quantity/names.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// Rows of a table over a motion by masses and forces.
 namespace jw {

@@ -7,7 +7,7 @@
 
 #include "core/integrate/simulation.hpp"
 #include "core/quantity/names.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// A lesson of dynamics, run from its start.
 namespace jw {

@@ -10,7 +10,7 @@
 #include "core/motion/forces.hpp"
 #include "core/motion/reactions.hpp"
 #include "core/poses/rank.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// A lesson as a sequence of steps: the free bodies; for each joint its equations, the Newton iterations that
 /// close what has been added so far, and the verdict; each driver likewise; then the motion.

@@ -7,7 +7,7 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/numerics/variants.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 
 namespace jw {
 

@@ -2,8 +2,8 @@
 
 #include "app/session/try/experiment_parts.hpp"
 #include "core/quantity/quantity.hpp"
-#include "lessons/exact_text.hpp"
-#include "lessons/typed.hpp"
+#include "lessons/typed/exact_text.hpp"
+#include "lessons/typed/typed.hpp"
 
 namespace jw::experiment_text {
 

@@ -2,8 +2,8 @@
 #include <array>
 
 #include "app/session/try/experiment_parts.hpp"
-#include "lessons/enum_words.hpp"
-#include "lessons/exact_text.hpp"
+#include "lessons/lesson/enum_words.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw::experiment_text {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/session/try/experiments.hpp"
-#include "app/session/wording/words.hpp"
+#include "app/session/wording/typed_words.hpp"
 
 /// Parts of experiment_text.hpp: geometry of joints, functions of drivers.
 namespace jw::experiment_text {

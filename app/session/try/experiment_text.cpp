@@ -4,10 +4,10 @@
 
 #include "app/session/try/experiment_parts.hpp"
 #include "app/session/wording/labels.hpp"
-#include "lessons/diagnostics.hpp"
-#include "lessons/enum_words.hpp"
-#include "lessons/equation_labels.hpp"
-#include "lessons/exact_text.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/lesson/enum_words.hpp"
+#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw {
 

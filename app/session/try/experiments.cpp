@@ -6,8 +6,8 @@
 #include "app/session/try/savable.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
-#include "lessons/enum_words.hpp"
-#include "lessons/typed.hpp"
+#include "lessons/lesson/enum_words.hpp"
+#include "lessons/typed/typed.hpp"
 
 namespace jw {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/numerics/variants.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 /// Experiments: what a person can do with an open lesson, such as going to another step or trying another
 /// variant than the author's. Plain values: the window makes them from clicks and keys, the command line from

@@ -11,7 +11,7 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/model/placement.hpp"
-#include "lessons/enum_words.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw {
 

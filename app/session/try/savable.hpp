@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 namespace jw {
 

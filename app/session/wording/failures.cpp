@@ -8,7 +8,7 @@
 #include "core/elementary/elementary.hpp"
 #include "core/kinematics/turning_point.hpp"
 #include "core/quantity/quantity.hpp"
-#include "lessons/diagnostics.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 
 namespace jw {
 

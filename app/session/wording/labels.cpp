@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/numerics/variants.hpp"
-#include "lessons/equation_labels.hpp"
+#include "lessons/lesson/equation_labels.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/write_math.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/session/wording/message_catalogue.hpp"
-#include "lessons/translatable.hpp"
+#include "lessons/text/translatable.hpp"
 
 /// The program's own sentences in the language of the reader.
 ///

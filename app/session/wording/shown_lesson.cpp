@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "app/session/wording/messages.hpp"
-#include "lessons/exercise/exercise_texts.hpp"
-#include "lessons/in_language.hpp"
+#include "lessons/exercise/for_each_text.hpp"
+#include "lessons/lesson/in_language.hpp"
 
 namespace jw {
 

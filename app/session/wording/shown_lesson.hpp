@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lessons/exercise/exercise.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/exercise.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 namespace jw {
 

@@ -8,7 +8,7 @@ const SLOP = 8;
 const NOTCH = 100;
 // [CSS pixels] of a finger for one notch: panels follow it, some a little slower than others
 const FINGER_NOTCH = 55;
-// distance between fingers for one notch of the wheel, as in app/host/parts/scene_hand.cpp
+// distance between fingers for one notch of the wheel, as in app/host/parts/scene_input.cpp
 const CLOSER_PER_NOTCH = 0.9;
 const BUTTONS = [0, 2, 1];
 // keys that stay the browser's: leaving the canvas, reading the page again

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/session/beside/background.hpp"
+#include "app/session/background/background.hpp"
 
 // With worker_waiting.cpp in place of threads, as in a page.
 

@@ -7,9 +7,9 @@
 #include "app/exercises/grading/sheet.hpp"
 #include "app/exercises/random.hpp"
 #include "app/session/wording/shown_lesson.hpp"
-#include "lessons/catalogue.hpp"
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercises.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "tests/app/messages/english_in.hpp"
 #include "tests/app/messages/in_language.hpp"
 

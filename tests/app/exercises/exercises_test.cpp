@@ -8,7 +8,7 @@
 #include "app/exercises/mistakes.hpp"
 #include "app/exercises/random.hpp"
 #include "lessons/exercise/exercise_index.hpp"
-#include "lessons/exercise/exercise_texts.hpp"
+#include "lessons/exercise/for_each_text.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/write_math.hpp"

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/doctor.hpp"
+#include "app/commands/help/doctor.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::test {

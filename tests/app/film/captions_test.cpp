@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/film/captions.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::film::test {

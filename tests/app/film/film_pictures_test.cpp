@@ -5,7 +5,7 @@
 #include "app/film/draw_pictures.hpp"
 #include "app/film/film_pictures.hpp"
 #include "core/jets/euler_parameters.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::film::test {

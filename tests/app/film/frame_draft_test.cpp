@@ -13,7 +13,7 @@
 
 #include "app/host/frames/frame_draft.hpp"
 #include "app/host/frames/frame_files.hpp"
-#include "render/png.hpp"
+#include "render/files/png.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::host::test {

@@ -4,7 +4,7 @@
 
 #include "app/film/processes.hpp"
 #include "app/host/frames/frame_draft.hpp"
-#include "render/png_reader.hpp"
+#include "render/files/png_reader.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/read_png.hpp"
 

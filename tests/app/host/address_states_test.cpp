@@ -5,9 +5,9 @@
 
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/kept_fonts.hpp"
 #include "tests/app/host/picture_values.hpp"

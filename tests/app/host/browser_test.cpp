@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "app/host/parts/browser.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/course.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/files/course.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/reach.hpp"
 #include "tests/app/messages/in_language.hpp"
@@ -71,7 +71,7 @@ TEST_CASE("A lesson that is gone when the lessons are looked at again is not cho
     const TemporaryFolder folder;
     folder.write("a.toml", "format = 1");
     const auto last = folder.write("b.toml", "format = 1");
-    host::LessonShelf shelf(folder.path(), {});
+    host::LessonList shelf(folder.path(), {});
     shelf.refresh({});
     shelf.move_choice(2);
     REQUIRE(shelf.chosen() == 1);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/reach.hpp"
 

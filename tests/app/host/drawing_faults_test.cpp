@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "app/host/guarded_screen.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/person.hpp"
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 
 namespace jw::test {
 

@@ -7,9 +7,9 @@
 
 #include "app/exercises/kinds.hpp"
 #include "app/host/host_state.hpp"
-#include "app/host/tabs/exercise_sentences.hpp"
+#include "app/host/tabs/exercise_labels.hpp"
 #include "app/session/output/json.hpp"
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "lessons/math/text_parts.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/exercise_lesson.hpp"

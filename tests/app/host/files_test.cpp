@@ -7,8 +7,8 @@
 #include <imgui.h>
 
 #include "app/session/output/export.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/person.hpp"
 

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/person.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "tests/app/host/person.hpp"
 
 namespace jw::test {

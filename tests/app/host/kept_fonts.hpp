@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/fonts.hpp"
+#include "render/fonts/fonts.hpp"
 
 namespace jw::test {
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "app/session/wording/messages.hpp"
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "tests/app/host/kept_fonts.hpp"
 
 namespace jw::test {

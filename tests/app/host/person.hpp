@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "app/host/screen.hpp"
-#include "render/offscreen.hpp"
+#include "render/surface/offscreen.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 /// A person at the window, without a window: moves the pointer, clicks, types, and looks at the picture.

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/reach.hpp"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/exercise_lesson.hpp"
 #include "tests/app/host/random_person.hpp"

@@ -5,11 +5,11 @@
 #include <imgui.h>
 
 #include "app/session/story/timeline.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/in_language.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/lesson/in_language.hpp"
 #include "lessons/math/text_parts.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/app/host/overprint.hpp"
 #include "tests/app/host/person.hpp"
 #include "tests/app/host/reach.hpp"

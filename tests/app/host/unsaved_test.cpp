@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/host/checks.hpp"
 #include "tests/app/host/person.hpp"
 

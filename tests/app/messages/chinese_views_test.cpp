@@ -4,8 +4,8 @@
 #include "app/session/output/describe_inspection.hpp"
 #include "app/session/try/session.hpp"
 #include "app/session/view/inspection.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/messages/english_in.hpp"
 #include "tests/app/messages/in_language.hpp"
 

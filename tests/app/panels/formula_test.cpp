@@ -6,7 +6,7 @@
 
 #include "app/panels/parts/rich_text.hpp"
 #include "lessons/math/read_math.hpp"
-#include "render/math_alphabets.hpp"
+#include "render/fonts/math_alphabets.hpp"
 #include "tests/app/panels/support.hpp"
 
 namespace jw::panels::test {

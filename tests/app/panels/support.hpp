@@ -9,7 +9,7 @@
 
 #include "app/panels/frame/frame.hpp"
 #include "app/panels/parts/canvas.hpp"
-#include "render/fonts.hpp"
+#include "render/fonts/fonts.hpp"
 
 /// Panels without a renderer: what they would draw is a list of vertices.
 namespace jw::panels::test {

@@ -1,4 +1,4 @@
-#include "app/panels/parts/text.hpp"
+#include "app/panels/parts/text_lines.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -7,8 +7,8 @@
 #include "app/session/output/export.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/try/session.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/session/view_numbers.hpp"
 
 /// Shipped lessons for tests of sessions.

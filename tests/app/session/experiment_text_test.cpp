@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "lessons/writer.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/app/session/all_experiments.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 

@@ -10,7 +10,7 @@
 #include "app/session/wording/labels.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/write_math.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/session/picture_lessons.hpp"
 

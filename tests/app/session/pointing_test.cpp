@@ -10,9 +10,9 @@
 #include "app/session/picture/pointed_thing.hpp"
 #include "app/session/try/session.hpp"
 #include "core/equations/assembler.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/support/grown_mechanisms.hpp"
 #include "tests/support/long_double_svd.hpp"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "app/session/benchmark/bench_job.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw {
 namespace {

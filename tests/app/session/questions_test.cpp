@@ -3,8 +3,8 @@
 #include "app/session/answers/judged_answer.hpp"
 #include "app/session/output/describe.hpp"
 #include "app/session/view/view.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw::test {
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/session/try/carry_out.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 
 namespace jw::test {

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/session/output/describe.hpp"
-#include "lessons/equation_labels.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 
 namespace jw::test {

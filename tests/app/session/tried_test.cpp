@@ -6,7 +6,7 @@
 
 #include "app/session/try/carry_out.hpp"
 #include "app/session/try/experiment_text.hpp"
-#include "lessons/writer.hpp"
+#include "lessons/write/writer.hpp"
 #include "tests/app/session/all_experiments.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 

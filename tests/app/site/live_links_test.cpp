@@ -5,7 +5,7 @@
 #include "app/host/host.hpp"
 #include "app/host/lesson/address.hpp"
 #include "app/site/lesson_page.hpp"
-#include "lessons/catalogue.hpp"
+#include "lessons/files/catalogue.hpp"
 
 namespace jw::test {
 namespace {

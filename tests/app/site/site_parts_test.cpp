@@ -3,8 +3,8 @@
 #include "app/site/page_frame.hpp"
 #include "app/site/pictures.hpp"
 #include "app/site/stations.hpp"
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 
 namespace jw::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <sys/stat.h>
 
-#include "render/png.hpp"
+#include "render/files/png.hpp"
 #include "tests/app/snapshot/suite.hpp"
 #include "tests/support/read_png.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "core/integrate/simulation.hpp"
 #include "core/integrate/time_stepper.hpp"
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 
 namespace jw::peers {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 #include "tests/bench/peers/sweep.hpp"
 
 namespace jw::peers {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 #include "tests/bench/peers/peer_scene.hpp"
 
 namespace jw::peers {

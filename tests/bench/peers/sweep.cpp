@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "lessons/catalogue.hpp"
-#include "lessons/reader.hpp"
+#include "lessons/files/catalogue.hpp"
+#include "lessons/read/reader.hpp"
 #include "tests/bench/peers/jointwise_runs.hpp"
 #include "tests/bench/peers/read_scene.hpp"
 

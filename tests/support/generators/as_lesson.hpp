@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lessons/lesson.hpp"
+#include "lessons/lesson/lesson.hpp"
 #include "tests/support/generators/mechanism_of.hpp"
 
 /// Generated mechanisms as lesson files that the program opens.

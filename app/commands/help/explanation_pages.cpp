@@ -1,0 +1,134 @@
+#include "app/commands/help/explanation_pages.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "app/session/output/json.hpp"
+
+namespace jw {
+
+namespace {
+
+using Setting = Explanation::Setting;
+
+constexpr const char* kIntroduction =
+    "# Diagnostics\n\n"
+    "Written by `./dev golden` from `jointwise explain --format markdown`; do not edit. The texts are in\n"
+    "`lessons/explanations`.\n\n"
+    "Every message about a lesson ends with a code that names its cause. `jointwise explain JW301` shows "
+    "the\n"
+    "page about a code, `jointwise explain` all codes. A test reads every example below.\n";
+
+std::string printed(Code code) { return std::string(entry_of(code).printed); }
+std::string title_of(Code code) { return std::string(entry_of(code).title); }
+
+const char* words_for(Setting setting) {
+    switch (setting) {
+        case Setting::whole: return "the whole file";
+        case Setting::head: return "at the beginning of the lesson about a crank and a slider";
+        case Setting::behind: return "behind the lesson about a crank and a slider";
+        case Setting::masses: return "behind the lesson about a crank and a slider that have masses";
+        case Setting::course: return "a course.toml";
+        case Setting::path: break;
+    }
+    return "FILE";
+}
+
+/// The messages for the wrong example; empty if they depend on the files of a machine.
+std::vector<std::string> messages_of(const Explanation& page) {
+    std::vector<std::string> messages;
+    if (page.setting == Setting::path) { return messages; }
+    for (const Diagnostic& diagnostic : read_example(page.setting, page.wrong)) {
+        if (diagnostic.code != page.code) { continue; }
+        messages.push_back(
+            (diagnostic.severity == Severity::error ? "error: " : "warning: ") + diagnostic.message + " [" +
+            printed(page.code) + "]");
+        if (!diagnostic.hint.empty()) { messages.push_back("hint: " + diagnostic.hint); }
+    }
+    return messages;
+}
+
+std::string example_or_nothing(const std::string& example) {
+    return example.empty() ? "(nothing)\n" : example;
+}
+
+std::string indented(const std::string& text) {
+    std::istringstream lines(text);
+    std::string out;
+    for (std::string line; std::getline(lines, line);) { out += "  " + line + '\n'; }
+    return out;
+}
+
+std::string fenced(const std::string& text, const char* language) {
+    return std::string("```") + language + '\n' + text + "```\n";
+}
+
+void write_markdown_page(const Explanation& page, std::ostream& out) {
+    std::string says;
+    for (const std::string& line : messages_of(page)) { says += line + '\n'; }
+    const char* const language = page.setting == Setting::path ? "" : "toml";
+    out << "\n### " << printed(page.code) << ": " << title_of(page.code) << "\n\n"
+        << "**Cause.** " << page.cause << "\n**Cure.** " << page.cure << "\nWrong ("
+        << words_for(page.setting) << "):\n\n"
+        << fenced(example_or_nothing(page.wrong), page.wrong.empty() ? "" : language);
+    if (!says.empty()) { out << '\n' << fenced(says, ""); }
+    out << "\nMended:\n\n" << fenced(page.right, language);
+}
+
+Json json_of_page(const Explanation& page) {
+    return {
+        {"code", printed(page.code)},
+        {"title", title_of(page.code)},
+        {"group", std::string(group_of(page.code))},
+        {"cause", page.cause},
+        {"cure", page.cure},
+        {"setting", words_for(page.setting)},
+        {"wrong", page.wrong},
+        {"says", messages_of(page)},
+        {"mended", page.right}};
+}
+
+}  // namespace
+
+void write_list(std::ostream& out) {
+    std::string_view group;
+    for (const Explanation& page : explanations()) {
+        if (group_of(page.code) != group) {
+            out << (group.empty() ? "" : "\n") << group_of(page.code) << '\n';
+        }
+        group = group_of(page.code);
+        out << "  " << printed(page.code) << "  " << title_of(page.code) << '\n';
+    }
+}
+
+void write_page(const Explanation& page, std::ostream& out) {
+    out << printed(page.code) << ": " << title_of(page.code) << "\n\n"
+        << "Cause:\n"
+        << indented(page.cause) << "\nCure:\n"
+        << indented(page.cure) << "\nWrong (" << words_for(page.setting) << "):\n"
+        << indented(example_or_nothing(page.wrong));
+    for (const std::string& line : messages_of(page)) { out << line << '\n'; }
+    out << "\nMended:\n" << indented(page.right);
+}
+
+void write_markdown(const std::vector<Explanation>& pages, std::ostream& out) {
+    out << kIntroduction << "\nMost examples continue this lesson about a crank and a slider:\n\n"
+        << fenced(text_of_example(Setting::behind, ""), "toml")
+        << "\nThose of dynamics continue the same lesson with masses:\n\n"
+        << fenced(text_of_example(Setting::masses, ""), "toml");
+    std::string_view group;
+    for (const Explanation& page : pages) {
+        if (group_of(page.code) != group) { out << "\n## " << group_of(page.code) << '\n'; }
+        group = group_of(page.code);
+        write_markdown_page(page, out);
+    }
+}
+
+void write_json(const std::vector<Explanation>& pages, std::ostream& out) {
+    Json list = Json::array();
+    for (const Explanation& page : pages) { list.push_back(json_of_page(page)); }
+    const Json json{{"format", "jointwise explain"}, {"version", kJsonVersion}, {"codes", list}};
+    out << json_document(json);
+}
+
+}  // namespace jw

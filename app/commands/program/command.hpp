@@ -1,0 +1,86 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/lesson/lesson.hpp"
+
+/// Parts that all commands share: exit status, streams, errors in the command line.
+namespace jw {
+
+/// Exit status of the program.
+enum class Exit {
+    done = 0,
+    check_failed = 1,
+    bad_input = 2,  ///< bad usage, a lesson with mistakes, a folder that cannot be written
+    numerics = 3,   ///< the numerics failed
+};
+
+/// Ends a command; `what()` is written to standard error unchanged.
+class CommandError : public std::runtime_error {
+public:
+    CommandError(Exit exit, const std::string& message) : std::runtime_error(message), exit_(exit) {}
+    Exit exit() const { return exit_; }
+
+private:
+    Exit exit_;
+};
+
+/// The file has mistakes; `what()` is the report about them.
+class FaultyFile : public CommandError {
+public:
+    FaultyFile(const std::string& report, std::vector<Diagnostic> diagnostics)
+        : CommandError(Exit::bad_input, report), diagnostics_(std::move(diagnostics)) {}
+    const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+
+private:
+    std::vector<Diagnostic> diagnostics_;
+};
+
+/// Error in the input of a command.
+CommandError bad_input(const std::string& message);
+/// Error in an option of a command, with a hint at its help.
+CommandError bad_option(const std::string& command, const std::string& message);
+
+/// Streams that a command writes to; tests pass their own.
+struct Streams {
+    std::ostream& out;
+    std::ostream& err;
+    bool err_is_terminal = false;
+    /// True if `out` or `err` is redirected into that file; empty: never.
+    std::function<bool(const std::filesystem::path&)> goes_into = {};
+    /// The file of the running program and its arguments, to start it again; empty: it cannot be started
+    /// again.
+    std::vector<std::string> command_line = {};
+};
+
+/// Reads the lesson in `path`; warnings go to `streams.err`.
+/// @throws FaultyFile with all diagnostics of the file; CommandError (bad_input) if `streams` go into it
+Lesson lesson_of(const std::filesystem::path& path, const Streams& streams);
+
+/// Validator for CLI11's `check`: says what is wrong with a whole number below 0; empty if nothing is.
+std::string fault_of_step(const std::string& text);
+
+/// A progress bar on a terminal, nothing elsewhere; it disappears when it is destroyed.
+class ProgressBar {
+public:
+    ProgressBar(const Streams& streams, std::string what);
+    ~ProgressBar();
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    void show(double fraction);
+
+private:
+    const Streams* streams_;
+    std::string what_;
+    int shown_ = -1;
+};
+
+}  // namespace jw

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+
+#include "app/commands/program/command.hpp"
+#include "app/commands/program/surface.hpp"
+
+namespace CLI {
+class App;
+}
+
+/// The commands of the program, one per file. Each adds its options to `app`, and sets `run` to its action if
+/// the command line names it.
+namespace jw {
+
+using Run = std::function<Exit()>;
+
+void add_open(CLI::App& app, const Streams& streams, Run& run);
+void add_list(CLI::App& app, const Streams& streams, Run& run);
+void add_new(CLI::App& app, const Streams& streams, Run& run);
+void add_check(CLI::App& app, const Streams& streams, Run& run);
+void add_explain(CLI::App& app, const Streams& streams, Run& run);
+void add_sheet(CLI::App& app, const Streams& streams, Run& run);
+void add_grade(CLI::App& app, const Streams& streams, Run& run);
+void add_schema(CLI::App& app, const Streams& streams, Run& run);
+void add_step(CLI::App& app, const Streams& streams, Run& run);
+void add_inspect(CLI::App& app, const Streams& streams, Run& run);
+void add_bench(CLI::App& app, const Streams& streams, Run& run);
+void add_simulate(CLI::App& app, const Streams& streams, Run& run);
+void add_solve(CLI::App& app, const Streams& streams, Run& run);
+void add_try(CLI::App& app, const Streams& streams, Run& run);
+void add_newton(CLI::App& app, const Streams& streams, Run& run);
+void add_plot(CLI::App& app, const Streams& streams, Run& run);
+void add_render(CLI::App& app, const Streams& streams, Run& run);
+void add_export(CLI::App& app, const Streams& streams, Run& run);
+void add_site(CLI::App& app, const Streams& streams, Run& run);
+void add_snapshot(CLI::App& app, const Streams& streams, Run& run);
+void add_doctor(CLI::App& app, const Streams& streams, Run& run, const SurfaceDoctor& doctor_window);
+void add_completion(CLI::App& app, const Streams& streams, Run& run);
+void add_manual(CLI::App& app, const Streams& streams, Run& run);
+
+}  // namespace jw

@@ -1,0 +1,83 @@
+#include "app/host/lesson/background_story.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "lessons/write/writer.hpp"
+
+namespace jw::host {
+
+namespace {
+
+// work of a story (see StoryTelling) before it continues in the background. The lessons here need 10 to 60 ms
+// for it, and most end before; in a web page two or three times as long. A count, not a time: what a lesson
+// does must not depend on the load of the machine
+constexpr double kMostAtOnce = 25'000.0;
+
+/// True if two lessons are the same, perhaps in two copies.
+bool are_same(const Lesson& a, const Lesson& b) {
+    if (&a == &b) { return true; }
+    try {
+        return a.file_name == b.file_name && lesson_text(a) == lesson_text(b);
+    } catch (const std::invalid_argument&) {
+        // a lesson made by a program, which no file can describe: rely on the order of requests
+        return true;
+    }
+}
+
+}  // namespace
+
+BackgroundStory::BackgroundStory(
+    std::shared_ptr<const Lesson> lesson, std::unique_ptr<StoryTelling> telling) {
+    const auto piece = [lesson = std::move(lesson), told = std::shared_ptr<StoryTelling>(std::move(telling)),
+                        part = part_](const std::stop_token&) -> std::optional<ToldLesson> {
+        const bool goes_on = told->go_on();
+        *part = told->progress();
+        if (goes_on) { return std::nullopt; }
+        return ToldLesson{lesson, told->story()};
+    };
+    work_ = std::make_unique<Background<ToldLesson>>(piece);
+}
+
+std::unique_ptr<BackgroundWork> BackgroundStory::stop() {
+    work_->stop();
+    return std::move(work_);
+}
+
+ToldLesson BackgroundStories::tell(const std::shared_ptr<const Lesson>& lesson, const StoryOptions& options) {
+    if (background_ && background_->is_done()) {
+        const std::unique_ptr<BackgroundStory> done = std::move(background_);
+        told_.push_back(done->take());
+    }
+    while (asked_ < told_.size()) {
+        if (are_same(*lesson, *told_[asked_].lesson)) { return told_[asked_++]; }
+        told_.erase(told_.begin() + static_cast<std::ptrdiff_t>(asked_));
+    }
+    stop();
+    auto telling = std::make_unique<StoryTelling>(*lesson, options);
+    while (telling->work() < kMostAtOnce) {
+        if (!telling->go_on()) { return keep({lesson, telling->story()}); }
+    }
+    ++begun_in_background_;
+    background_ = std::make_unique<BackgroundStory>(lesson, std::move(telling));
+    throw NotToldYet();
+}
+
+ToldLesson BackgroundStories::keep(ToldLesson told) {
+    told_.push_back(std::move(told));
+    return told_[asked_++];
+}
+
+void BackgroundStories::stop() {
+    std::erase_if(stopped_, [](const auto& work) { return work->is_done(); });
+    if (background_) { stopped_.push_back(background_->stop()); }
+    background_.reset();
+}
+
+void BackgroundStories::forget() {
+    stop();
+    told_.clear();
+    asked_ = 0;
+}
+
+}  // namespace jw::host

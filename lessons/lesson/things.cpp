@@ -1,0 +1,108 @@
+#include "lessons/lesson/things.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/lesson/lesson.hpp"
+#include "lessons/lesson/questions.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr std::array kPartNames{"s_i", "s_j", "d"};
+
+int count_of(std::size_t size) { return static_cast<int>(size); }
+
+void add_vectors(const JointType& type, int joint, std::vector<Thing>& things) {
+    for (const int part : {Thing::kVectorI, Thing::kVectorJ, Thing::kVectorD}) {
+        const bool has = std::ranges::any_of(type.roles, [&](Role role) { return is_made_of(role, part); });
+        if (has) { things.push_back(Thing::vector(joint, part)); }
+    }
+}
+
+std::string label_of(const Joint& joint, const EquationOut& equation) {
+    for (const LabelledEquation& labelled : equations_of(*joint.type, joint.parallel_form)) {
+        if (labelled.equation == equation) { return labelled.label; }
+    }
+    // the form has changed: the joint does not have this equation any more
+    return {};
+}
+
+/// The words of a name with one blank between them.
+std::string trimmed(std::string_view name) {
+    std::string kept;
+    for (const char c : name) {
+        const bool blank = c == ' ' || c == '\t';
+        if (!blank || (!kept.empty() && kept.back() != ' ')) { kept += blank ? ' ' : c; }
+    }
+    if (!kept.empty() && kept.back() == ' ') { kept.pop_back(); }
+    return kept;
+}
+
+}  // namespace
+
+bool is_made_of(Role role, int part) {
+    const unsigned vectors = traits_of(role).vectors;
+    switch (part) {
+        case Thing::kVectorI: return (vectors & (kPoints | kAxisI | kSidesH | kSidesU)) != 0;
+        case Thing::kVectorJ: return (vectors & (kPoints | kAxisJ | kSidesH | kSidesU)) != 0;
+        default: return (vectors & kD) != 0;
+    }
+}
+
+std::vector<Thing> things_of(const Mechanism& mechanism, Thing::Kind kind) {
+    std::vector<Thing> things;
+    if (kind == Thing::Kind::body) {
+        for (int b = 0; b < count_of(mechanism.bodies.size()); ++b) { things.push_back(Thing::body(b)); }
+        return things;
+    }
+    for (int k = 0; k < count_of(mechanism.joints.size()); ++k) {
+        const Joint& joint = mechanism.joints[static_cast<std::size_t>(k)];
+        if (kind == Thing::Kind::joint) { things.push_back(Thing::joint(k)); }
+        if (joint.type == nullptr) { continue; }
+        if (kind == Thing::Kind::vector) { add_vectors(*joint.type, k, things); }
+        if (kind != Thing::Kind::row) { continue; }
+        for (const LabelledEquation& labelled : equations_of(*joint.type, joint.parallel_form)) {
+            things.push_back(Thing::row(k, labelled.equation));
+        }
+    }
+    for (int d = 0; kind == Thing::Kind::row && d < count_of(mechanism.drivers.size()); ++d) {
+        things.push_back(Thing::row_of_driver(d));
+    }
+    return things;
+}
+
+std::string name_of(const Thing& thing, const Mechanism& mechanism) {
+    const auto k = static_cast<std::size_t>(thing.index);
+    switch (thing.kind) {
+        case Thing::Kind::body: return mechanism.bodies[k].name;
+        case Thing::Kind::joint: return mechanism.joints[k].name;
+        case Thing::Kind::vector:
+            return mechanism.joints[k].name + " " + kPartNames[static_cast<std::size_t>(thing.part)];
+        case Thing::Kind::row: break;
+    }
+    if (thing.driven) { return mechanism.drivers[k].name; }
+    return mechanism.joints[k].name + " " + label_of(mechanism.joints[k], thing.equation);
+}
+
+std::optional<Thing> thing_named(const Mechanism& mechanism, Thing::Kind kind, std::string_view name) {
+    const std::string wanted = trimmed(name);
+    for (const Thing& thing : things_of(mechanism, kind)) {
+        if (trimmed(name_of(thing, mechanism)) == wanted) { return thing; }
+    }
+    return std::nullopt;
+}
+
+bool is_present(const Thing& thing, const Lesson& lesson) {
+    if (thing.kind == Thing::Kind::body) { return true; }
+    if (thing.kind == Thing::Kind::row && thing.driven) {
+        return is_added({Addition::Kind::driver, thing.index}, lesson);
+    }
+    const Joint& joint = lesson.mechanism.joints[static_cast<std::size_t>(thing.index)];
+    const bool has_row = thing.kind != Thing::Kind::row || !label_of(joint, thing.equation).empty();
+    return has_row && is_added({Addition::Kind::joint, thing.index}, lesson);
+}
+
+}  // namespace jw

@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/elementary/elementary.hpp"
+#include "lessons/read/reading.hpp"
+
+namespace jw::reading {
+
+namespace {
+
+// two points closer than this do not define a usable distance [m]
+constexpr double kSmallestLength = 1e-9;
+
+double degrees_between(const Vec3& a, const Vec3& b) {
+    return elementary::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::numbers::pi;
+}
+
+/// Checks that either the global key or all local keys are there. @return false after reporting a mistake
+bool one_way(
+    Fields& fields, const std::string& global, const std::vector<std::string>& local,
+    const std::string& what) {
+    bool all = true;
+    for (const std::string& key : local) {
+        if (!fields.at_most_one({global, key})) { return false; }
+        all = all && fields.has(key);
+    }
+    if (fields.has(global) || all) { return true; }
+    const auto absent = std::ranges::find_if(local, [&](const auto& key) { return !fields.has(key); });
+    const bool none = std::ranges::none_of(local, [&](const auto& key) { return fields.has(key); });
+    std::string locals;
+    for (const std::string& key : local) { locals += (locals.empty() ? "" : " and ") + in_quotes(key); }
+    fields.missing(
+        none ? global : *absent, what + ": " + in_quotes(global) + " (global, at the start pose) or " +
+                                     locals +
+                                     (local.size() > 1 ? " (in the bodies)" : " (in the first body)"));
+    return false;
+}
+
+void read_points(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
+    const JointNeeds needs(type);
+    const auto at = fields.vector("at");
+    const auto to = needs.two_points ? fields.vector("to") : std::nullopt;
+    const auto point_i = fields.vector("point_i");
+    const auto point_j = fields.vector("point_j");
+    if (!one_way(fields, "at", {"point_i", "point_j"}, "a point, three numbers in m")) { return; }
+    if (needs.two_points && fields.has("to") && !fields.has("at")) {
+        fields.problems().add(
+            Code::lonely_key, fields.span("to"),
+            "'to' without 'at'; expected both or 'point_i' and 'point_j'");
+        return;
+    }
+    if (at) {
+        g.P_i_local = pair.point_i(at->value);
+        g.P_j_local = pair.point_j(to ? to->value : at->value);
+        if (type.uses(Role::length)) { fields.require("to", "the point of the second body, global, in m"); }
+    }
+    if (point_i) { g.P_i_local = point_i->value; }
+    if (point_j) { g.P_j_local = point_j->value; }
+}
+
+void read_arms(Fields& fields, const BodyPair& pair, const Located<Vec3>& axis, JointGeometry& g) {
+    fields.require("axis2", "the arm of the second body, global, perpendicular to 'axis'");
+    const auto axis2 = fields.direction("axis2");
+    if (!axis2) { return; }
+    g.s_j_local = pair.vector_j(axis2->value.normalized());
+    if (!is_perpendicular(axis.value, axis2->value)) {
+        fields.problems().add(
+            Code::not_perpendicular, axis2->span,
+            "'axis' and 'axis2' make an angle of " +
+                short_number(degrees_between(axis.value, axis2->value), 4) + " deg; expected 90 deg",
+            "a start that is not assembled is given by 'axis_i' and 'axis_j'");
+    }
+}
+
+/// @return whether the axes are known
+bool read_axes(Fields& fields, const BodyPair& pair, const JointNeeds& needs, JointGeometry& g) {
+    const int errors = fields.problems().errors_count();
+    const auto axis = fields.direction("axis");
+    const auto axis_i = fields.direction("axis_i");
+    const auto axis_j = needs.axis_j ? fields.direction("axis_j") : std::nullopt;
+    const std::vector<std::string> local =
+        needs.axis_j ? std::vector<std::string>{"axis_i", "axis_j"} : std::vector<std::string>{"axis_i"};
+    if (needs.arms) { fields.has("axis2"); }
+    if (!one_way(fields, "axis", local, "an axis, three numbers")) { return false; }
+    if (axis) {
+        g.s_i_local = pair.vector_i(axis->value.normalized());
+        if (needs.axis_j) { g.s_j_local = pair.vector_j(axis->value.normalized()); }
+        if (needs.arms) { read_arms(fields, pair, *axis, g); }
+    } else if (needs.arms && !fields.has("axis") && fields.has("axis2")) {
+        fields.problems().add(
+            Code::lonely_key, fields.span("axis2"),
+            "'axis2' without 'axis'; expected both or 'axis_i' and 'axis_j'");
+    }
+    if (axis_i) { g.s_i_local = axis_i->value; }
+    if (axis_j) { g.s_j_local = axis_j->value; }
+    return fields.problems().errors_count() == errors;
+}
+
+/// Checks that a side vector is perpendicular to the axis of its body. Otherwise it is an error if the angle
+/// is measured from it; for the h of n1, it is a warning, because the equation as typed still has a meaning.
+void check_side(
+    Fields& fields, const std::string& key, const Located<Vec3>& side, const Vec3& axis, bool must_be) {
+    if (is_perpendicular(side.value, axis)) { return; }
+    const std::string message = in_quotes(key) + " makes an angle of " +
+                                short_number(degrees_between(side.value, axis), 4) +
+                                " deg with the axis; expected 90 deg";
+    const Vec3 s = axis.normalized();
+    const Vec3 across = side.value - side.value.dot(s) * s;
+    const std::string hint = across.norm() < kShortestDirection
+                                 ? ""
+                                 : "perpendicular: " + key + " = [" + short_number(across.x()) + ", " +
+                                       short_number(across.y()) + ", " + short_number(across.z()) + "]";
+    if (must_be) {
+        fields.problems().add(Code::not_perpendicular, side.span, message, hint);
+    } else {
+        fields.problems().warn(Code::not_perpendicular, side.span, message, hint);
+    }
+}
+
+void read_sides(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
+    const auto side = fields.direction("side");
+    const auto side_i = fields.direction("side_i");
+    const auto side_j = fields.direction("side_j");
+    const bool any = fields.has("side") || fields.has("side_i") || fields.has("side_j");
+    if (any && !one_way(fields, "side", {"side_i", "side_j"}, "a side vector, three numbers")) { return; }
+
+    const Vec3 axis = pair.axis_i(g);
+    if (!side_i || !side_j) {
+        if (side) { check_side(fields, "side", *side, axis, true); }
+        set_sides(pair, type, side ? side->value.normalized() : perpendicular_to(axis), g);
+        return;
+    }
+    check_side(fields, "side_i", *side_i, g.s_i_local, type.has_angle());
+    check_side(fields, "side_j", *side_j, g.s_j_local, type.has_angle());
+    g.u_i_local = unit_of(side_i->value);
+    g.u_j_local = unit_of(side_j->value);
+    // as typed: the length of h scales the equation
+    g.h_i_local = type.has_angle() ? g.u_i_local : side_i->value;
+    g.h_j_local = type.has_angle() ? g.u_j_local : side_j->value;
+}
+
+void read_pitch(Fields& fields, JointGeometry& g) {
+    if (!fields.at_most_one({"pitch", "advance_per_rad"})) {
+        fields.number("pitch");
+        fields.number("advance_per_rad");
+        return;
+    }
+    if (!fields.has("advance_per_rad")) {
+        fields.require("pitch", "the advance in one turn [m], negative for a left-hand thread");
+    }
+    if (const auto pitch = fields.number("pitch")) { g.alpha = alpha_of_pitch(pitch->value); }
+    if (const auto alpha = fields.number("advance_per_rad")) { g.alpha = alpha->value; }
+}
+
+void read_screw(Fields& fields, const BodyPair& pair, JointGeometry& g) {
+    read_pitch(fields, g);
+    g.screw_angle_form = fields.word("angle_row", kAngleRows).value_or(g.screw_angle_form);
+    if (const auto theta = fields.angle("theta")) { g.theta_start = theta->value; }
+    // the start pose lies on the thread unless the author gives another d_0 and theta_0
+    const double d = start_displacement(pair, g);
+    const double theta = start_angle(pair, g);
+    const auto d_0 = fields.number("d_0");
+    const auto theta_0 = fields.angle("theta_0");
+    g.d_0 = d;
+    g.theta_0 = theta;
+    if (theta_0) {
+        g.theta_0 = theta_0->value;
+        g.d_0 = d - g.alpha * (theta - g.theta_0);
+    }
+    if (d_0) {
+        g.d_0 = d_0->value;
+        if (!theta_0 && g.alpha != 0.0) { g.theta_0 = theta - (d - g.d_0) / g.alpha; }
+    }
+    if (fields.at_most_one({"theta_dot_deg_per_s", "theta_dot_rad_per_s"})) {
+        if (const auto rate = fields.number("theta_dot_rad_per_s")) { g.theta_dot_start = rate->value; }
+        if (const auto rate = fields.number("theta_dot_deg_per_s")) {
+            g.theta_dot_start = radians(rate->value);
+        }
+    }
+}
+
+void read_length(Fields& fields, const BodyPair& pair, bool points_known, JointGeometry& g) {
+    const auto length = fields.positive("length");
+    if (length) { g.length = length->value; }
+    if (fields.has("length") || !points_known || !pair.sound) { return; }
+    g.length = pair.d(g.P_i_local, g.P_j_local).norm();
+    if (g.length < kSmallestLength) {
+        fields.problems().add(
+            Code::points_coincide, fields.span(),
+            fields.what() + ": the two points coincide; expected a distance above 0",
+            "for a spherical joint use type = \"spherical\"");
+    }
+}
+
+}  // namespace
+
+void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint) {
+    const JointType& type = *joint.type;
+    const JointNeeds needs(type);
+    JointGeometry& g = joint.geometry;
+    const int errors = fields.problems().errors_count();
+    if (needs.points) { read_points(fields, pair, type, g); }
+    if (type.uses(Role::length)) { read_length(fields, pair, fields.problems().errors_count() == errors, g); }
+    const bool axes_known = needs.axis && read_axes(fields, pair, needs, g);
+    if (needs.sides && axes_known) {
+        read_sides(fields, pair, type, g);
+    } else if (needs.sides) {
+        for (const char* key : {"side", "side_i", "side_j"}) { fields.direction(key); }
+    }
+    if (type.uses(Role::screw_advance)) { read_screw(fields, pair, g); }
+}
+
+}  // namespace jw::reading

@@ -1,0 +1,222 @@
+#include <algorithm>
+
+#include "lessons/read/quantities.hpp"
+#include "lessons/read/reading.hpp"
+#include "lessons/typed/exact_text.hpp"
+
+namespace jw::reading {
+
+namespace {
+
+constexpr std::size_t kMostClaims = 5000;
+
+using Facts = std::vector<std::pair<Fact, SourceSpan>>;
+
+/// Reads a time of [motion] or of the motion by masses and forces: the one that the lesson has, or the one
+/// that `of` names.
+std::optional<Moment> read_time(Fields& fields, const Lesson& lesson) {
+    const auto t = fields.number("at_s");
+    const auto of = fields.word("of");
+    if (!t) { return std::nullopt; }
+    const bool by_forces = of ? *of == 1 : !lesson.motion && lesson.dynamics.has_value();
+    const auto& motion = lesson.motion;
+    const std::string none =
+        "there is no motion at " + writing::number_text(t->value) + " s; expected a time ";
+    if (by_forces) {
+        if (!lesson.dynamics || t->value < 0.0 || t->value > lesson.dynamics->duration) {
+            fields.problems().add(Code::no_motion, t->span, none + "from 0 to 'duration' of [dynamics]");
+        }
+    } else if (!motion || t->value < motion->from || t->value > motion->to) {
+        fields.problems().add(Code::no_motion, t->span, none + "between 'from_s' and 'to_s' of [motion]");
+    }
+    return AtTime{t->value, by_forces};
+}
+
+std::optional<Moment> read_moment(Fields& fields, const Reading& reading) {
+    if (!fields.at_most_one({"after", "at_s", "as_given", "any_state"})) { return std::nullopt; }
+    if (fields.has("at_s")) { return read_time(fields, reading.lesson); }
+    const AfterAddition everything{static_cast<int>(reading.lesson.order.size())};
+    if (fields.has("after")) {
+        const auto name = fields.text("after");
+        const Named* named = name ? reading.addition(*name) : nullptr;
+        if (named == nullptr) { return std::nullopt; }
+        return AfterAddition{reading.place_of(*named) + 1};
+    }
+    const auto given = fields.flag("as_given");
+    if (given && given->value) { return AsGiven{}; }
+    const auto any = fields.flag("any_state");
+    if (any && any->value) { return AnyState{}; }
+    return everything;
+}
+
+void read_counts(Fields& fields, Facts& facts) {
+    for (const EnumWord<Count>& count : kCounts) {
+        if (const auto value = fields.integer(count.word)) {
+            facts.emplace_back(CountClaim{count.value, value->value}, value->span);
+        }
+    }
+}
+
+void read_memberss_and_verdicts(Fields& fields, Facts& facts) {
+    for (const EnumWord<Bound>& bound : kBounds) {
+        if (const auto value = fields.positive(bound.word)) {
+            facts.emplace_back(BoundClaim{bound.value, value->value}, value->span);
+        }
+    }
+    for (const EnumWord<Verdict>& verdict : kVerdicts) {
+        if (const auto value = fields.flag(verdict.word)) {
+            facts.emplace_back(VerdictClaim{verdict.value, value->value}, value->span);
+        }
+    }
+}
+
+/// A claim needs one of these keys.
+std::vector<std::string> keys_of_facts() {
+    std::vector<std::string> keys = words_of(kCounts);
+    for (const EnumWord<Bound>& bound : kBounds) { keys.emplace_back(bound.word); }
+    for (const EnumWord<Verdict>& verdict : kVerdicts) { keys.emplace_back(verdict.word); }
+    keys.insert(keys.end(), {"dropped", "quantity", "formula"});
+    return keys;
+}
+
+/// "hinge p1 z": the joint's name may have blanks, the last two words are primitive and component.
+void read_dropped(Fields& fields, const Reading& reading, const std::optional<Moment>& when, Facts& facts) {
+    const auto text = fields.text("dropped");
+    if (!text) { return; }
+    const std::string& t = text->value;
+    const std::string ending = t.size() > 5 ? t.substr(t.size() - 5) : "";
+    const auto component = ending.empty() ? std::string::npos : std::string("xyz").find(ending[4]);
+    const bool is_p1 = ending.starts_with(" p1 ");
+    if (component == std::string::npos || (!is_p1 && !ending.starts_with(" p2 "))) {
+        fields.problems().add(
+            Code::unknown_equation, text->span,
+            in_quotes(t) + " names no equation; expected \"JOINT p1 x\", p1 or p2 and x, y or z");
+        return;
+    }
+    const std::string name = t.substr(0, t.size() - 5);
+    const Named* joint = reading.joint({name, text->span});
+    if (joint == nullptr || !joint->sound) { return; }
+    const Role role = is_p1 ? Role::axes_parallel : Role::distance_parallel;
+    const JointType& type = *reading.lesson.mechanism.joints[static_cast<std::size_t>(joint->index)].type;
+    if (!type.uses(role)) {
+        fields.problems().add(
+            Code::unknown_equation, text->span,
+            "joint " + in_quotes(name) + " of type " + std::string(type.name) + " has no " +
+                (is_p1 ? "p1" : "p2") + "; expected a primitive that it is made of");
+    }
+    const auto* after = when ? std::get_if<AfterAddition>(&*when) : nullptr;
+    if (after != nullptr && reading.place_of(*joint) >= after->count) {
+        fields.problems().add(
+            Code::not_added_yet, text->span,
+            "joint " + in_quotes(name) + " has not been added by then; expected a later 'after'");
+    }
+    facts.emplace_back(DroppedClaim{joint->index, role, static_cast<int>(component)}, text->span);
+}
+
+void read_value(Fields& fields, QuantityClaim& claim) {
+    const std::vector<std::string> endings = unit_endings(claim.quantity, claim.derivative);
+    std::vector<std::string> keys;
+    for (const std::string& ending : endings) { keys.push_back("value" + ending); }
+    if (!fields.at_most_one(keys)) {
+        for (const std::string& ending : endings) { fields.has("tolerance" + ending); }
+        return;
+    }
+    const bool second = endings.size() > 1 && fields.has(keys[1]);
+    const std::string& ending = endings[second ? 1 : 0];
+    const std::string unit = endings.size() > 1 ? ", in degrees or radians" : "";
+    fields.require("value" + ending, "the value of " + in_quotes(claim.text) + unit);
+    fields.require("tolerance" + ending, "the largest allowed deviation, in the unit of the value");
+    claim.in_degrees = ending.starts_with("_deg");
+    const auto in_si = [&](double typed) { return claim.in_degrees ? radians(typed) : typed; };
+    if (const auto value = fields.number("value" + ending)) { claim.value = in_si(value->value); }
+    if (const auto tolerance = fields.positive("tolerance" + ending)) {
+        claim.tolerance = in_si(tolerance->value);
+    }
+}
+
+/// Reads the key `derivative`; `of` says how many derivatives the quantity has and how many are part of its
+/// name.
+int read_derivative(
+    Fields& fields, const std::optional<Moment>& when, const std::optional<NamedQuantity>& of,
+    SourceSpan name) {
+    const int named = of ? of->derivative : 0;
+    const int most = of ? derivatives_of(of->quantity) - named : 2;
+    const auto derivative = fields.integer("derivative", 0, most);
+    const bool moves = !when || std::holds_alternative<AtTime>(*when);
+    const bool is_rate = named > 0 || (derivative && derivative->value > 0);
+    if (is_rate && !moves) {
+        fields.problems().add(
+            Code::rate_at_rest, derivative ? derivative->span : name,
+            std::string("nothing moves before the motion; expected 'at_s' beside ") +
+                (derivative ? "'derivative'" : "a rate"));
+    }
+    const bool of_forces =
+        of && needs_masses(of->quantity) && !std::holds_alternative<EnergyQuantity>(of->quantity);
+    if (of_forces && !moves) {
+        fields.problems().add(
+            Code::rate_at_rest, name, "reactions belong to a motion; expected 'at_s' beside them");
+    }
+    return derivative ? derivative->value : 0;
+}
+
+void read_measured(Fields& fields, const Reading& reading, const std::optional<Moment>& when, Facts& facts) {
+    const auto text = fields.text("quantity");
+    if (!text) { return; }
+    QuantityClaim claim;
+    claim.text = text->value;
+    const auto quantity = read_quantity(fields, *text, reading);
+    claim.derivative = read_derivative(fields, when, quantity, text->span);
+    if (!quantity) {
+        // the keys that belong to it are not known: only keys that never belong to a quantity are unknown
+        for (const UnitEnding& ending : endings_of(Spelling::any)) {
+            fields.number(std::string("value").append(ending.text));
+            fields.positive(std::string("tolerance").append(ending.text));
+        }
+        fields.vector("point");
+        return;
+    }
+    claim.quantity = quantity->quantity;
+    claim.named_derivative = quantity->derivative;
+    claim.derivative += claim.named_derivative;
+    read_value(fields, claim);
+    facts.emplace_back(claim, text->span);
+}
+
+void read_claim(Fields& fields, Reading& reading) {
+    fields.call("the claim");
+    const auto when = read_moment(fields, reading);
+    const auto why = fields.words("why", Audience::authors);
+    Facts facts;
+    read_counts(fields, facts);
+    read_memberss_and_verdicts(fields, facts);
+    read_dropped(fields, reading, when, facts);
+    read_measured(fields, reading, when, facts);
+    const bool only_formulas = facts.empty();
+    if (auto claim = read_formula_claim(fields, reading)) {
+        facts.emplace_back(std::move(*claim), fields.span("formula"));
+    }
+    if (!only_formulas && when && std::holds_alternative<AnyState>(*when)) {
+        reading.problems->add(
+            Code::only_formulas, fields.span("any_state"),
+            "only a formula can hold in any state; expected another moment for the other claims");
+    }
+    static const std::vector<std::string> kFacts = keys_of_facts();
+    if (std::ranges::none_of(kFacts, [&](const std::string& key) { return fields.has(key); })) {
+        reading.problems->add(
+            Code::missing_key, fields.span(),
+            "the claim is empty; expected one or several of " + comma_list(kFacts));
+    }
+    fields.finish();
+    if (!when) { return; }
+    for (auto& [fact, span] : facts) {
+        reading.lesson.claims.push_back({*when, fact, span, why ? why->value : Text()});
+    }
+}
+
+}  // namespace
+
+void read_claims(Fields& root, Reading& reading) {
+    for (Fields& fields : root.tables("expect", kMostClaims)) { read_claim(fields, reading); }
+}
+
+}  // namespace jw::reading

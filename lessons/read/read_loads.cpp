@@ -1,0 +1,203 @@
+#include <algorithm>
+
+#include "lessons/read/reading.hpp"
+
+namespace jw::reading {
+
+namespace {
+
+constexpr std::size_t kMostLoads = 1000;
+// two points closer than this give a spring no direction [m]
+constexpr double kShortestSpring = 1e-9;
+
+/// Direction times magnitude of a force or torque: either the key `what`, a vector that is constant or
+/// multiplied by a function of time; or the key `direction`, which is normalised, and a function.
+struct Vector {
+    Vec3 direction = Vec3::UnitX();
+    Frame frame = Frame::global;
+    TimeFunction magnitude{{1.0}, {}, {}};
+};
+Vector read_vector(Fields& fields, const char* what, const char* unit, double duration) {
+    Vector out;
+    out.frame = fields.word("frame", kFrames).value_or(out.frame);
+    const auto whole = fields.vector(what);
+    const auto direction = fields.direction("direction");
+    fields.at_most_one({what, "direction"});
+    if (!fields.has("direction")) {
+        fields.require(
+            what, std::string("three numbers in ") + unit + ", or 'direction' and a function of time");
+    }
+    if (whole) { out.direction = whole->value; }
+    if (direction) { out.direction = unit_of(direction->value); }
+    if ((fields.has("direction") && !fields.has(what)) || has_time_function(fields, false)) {
+        const int errors = fields.problems().errors_count();
+        out.magnitude = read_time_function(fields, false);
+        if (fields.problems().errors_count() == errors) {
+            check_values(fields, out.magnitude, 0.0, duration, false);
+        }
+    }
+    return out;
+}
+
+void read_force(Fields& fields, Reading& reading) {
+    DynamicsPlan& plan = *reading.lesson.dynamics;
+    const auto place = read_point_of_body(fields, reading);
+    const Vector vector = read_vector(fields, "force", "N", plan.duration);
+    fields.finish();
+    if (!place) { return; }
+    const auto& mass = plan.loads.masses[static_cast<std::size_t>(place->body)];
+    const Vec3 centre = mass ? mass->centre_local : Vec3::Zero();
+    plan.loads.forces.push_back(
+        {place->body, place->point_local.value_or(centre), vector.direction, vector.frame, vector.magnitude});
+}
+
+void read_torque(Fields& fields, Reading& reading) {
+    DynamicsPlan& plan = *reading.lesson.dynamics;
+    const auto name = fields.text("body");
+    fields.require("body", "the name of a body that moves");
+    const Named* named = name ? reading.body(*name) : nullptr;
+    const Vector vector = read_vector(fields, "torque", "N m", plan.duration);
+    fields.finish();
+    if (named == nullptr) { return; }
+    if (reading.lesson.mechanism.bodies[static_cast<std::size_t>(named->index)].fixed) {
+        fields.problems().add(
+            Code::fixed_body, name->span,
+            "body " + in_quotes(name->value) + " is fixed; expected one that moves");
+    }
+    plan.loads.torques.push_back({named->index, vector.direction, vector.frame, vector.magnitude});
+}
+
+/// Keys `stiffness` and `damping`, at least one of them.
+void read_constants(Fields& fields, double& stiffness, double& damping) {
+    if (const auto k = fields.not_negative("stiffness")) { stiffness = k->value; }
+    if (const auto c = fields.not_negative("damping")) { damping = c->value; }
+    if (!fields.has("damping")) { fields.require("stiffness", "a number in N/m or N m/rad, or 'damping'"); }
+}
+
+/// Both ends of a spring. @return whether they are known
+bool read_ends(Fields& fields, const BodyPair& pair, Spring& spring) {
+    const int errors = fields.problems().errors_count();
+    const auto end = [&](const char* global, const char* local, const char* which, auto to_local, Vec3& P) {
+        const auto at = fields.vector(global);
+        const auto point = fields.vector(local);
+        fields.at_most_one({global, local});
+        if (!fields.has(local)) {
+            fields.require(
+                global, std::string("a point of the ") + which + " body, global at the start pose, or " +
+                            in_quotes(local) + " in its frame, in m");
+        }
+        if (at) { P = to_local(at->value); }
+        if (point) { P = point->value; }
+    };
+    end(
+        "at", "point_i", "first", [&](const Vec3& at) { return pair.point_i(at); }, spring.P_i_local);
+    end(
+        "to", "point_j", "second", [&](const Vec3& to) { return pair.point_j(to); }, spring.P_j_local);
+    return fields.problems().errors_count() == errors;
+}
+
+/// Hint on how to give the spring a direction: along the axis of a slide, it acts on the displacement.
+std::string way_out(const PairIndices& bodies, const Reading& reading) {
+    for (const Joint& joint : reading.lesson.mechanism.joints) {
+        const bool is_between = (joint.body_i == bodies.i && joint.body_j == bodies.j) ||
+                                (joint.body_i == bodies.j && joint.body_j == bodies.i);
+        if (!is_between || !joint.type->has_displacement()) { continue; }
+        return "for a spring on the displacement of joint " + in_quotes(joint.name) +
+               ", move 'at' back along its axis by more than it travels, and add that distance to "
+               "'free_length'";
+    }
+    return "let its points be apart, with 'free_length' as the length at which it does not pull";
+}
+
+void read_spring(Fields& fields, Reading& reading) {
+    const PairIndices bodies = read_pair(fields, reading);
+    const BodyPair pair = pair_of(reading, bodies);
+    Spring spring;
+    spring.body_i = bodies.i;
+    spring.body_j = bodies.j;
+    const bool ends_known = read_ends(fields, pair, spring);
+    read_constants(fields, spring.stiffness, spring.damping);
+    const auto free_length = fields.not_negative("free_length");
+    fields.finish();
+    if (bodies.i == bodies.j) { return; }
+    const double length = pair.d(spring.P_i_local, spring.P_j_local).norm();
+    if (ends_known && bodies.sound && length < kShortestSpring) {
+        fields.problems().add(
+            Code::points_coincide, fields.span(),
+            "the two points of the spring coincide at the start pose; expected a distance above 0",
+            "a force along the line between them has no direction there; " + way_out(bodies, reading));
+    }
+    spring.free_length = free_length ? free_length->value : length;
+    reading.lesson.dynamics->loads.springs.push_back(spring);
+}
+
+void read_rotational_spring(Fields& fields, Reading& reading) {
+    fields.call("rotational spring");
+    const auto name = fields.text("joint");
+    fields.require("joint", "the joint about whose axis it acts");
+    RotationalSpring spring;
+    read_constants(fields, spring.stiffness, spring.damping);
+    const auto free_angle = fields.angle("free_angle");
+    fields.finish();
+    const Named* named = name ? reading.joint(*name) : nullptr;
+    if (named == nullptr || !named->sound) { return; }
+    const Joint& joint = reading.lesson.mechanism.joints[static_cast<std::size_t>(named->index)];
+    if (!joint.type->has_angle()) {
+        fields.problems().add(
+            Code::no_such_freedom, name->span,
+            "joint " + in_quotes(name->value) + " of type " + std::string(joint.type->name) +
+                " has no angle; expected a joint of type " + types_with(&JointType::has_angle));
+        return;
+    }
+    const BodyPair pair = pair_of(reading, {joint.body_i, joint.body_j, true});
+    spring.body_i = joint.body_i;
+    spring.body_j = joint.body_j;
+    spring.angle = angle_of(joint);
+    spring.free_angle = free_angle ? free_angle->value : start_angle(pair, joint.geometry);
+    reading.lesson.dynamics->loads.rotational_springs.push_back(spring);
+}
+
+struct Kind {
+    const char* key;
+    void (*read)(Fields&, Reading&);
+};
+constexpr std::array kKinds{
+    Kind{"force", read_force}, Kind{"torque", read_torque}, Kind{"spring", read_spring},
+    Kind{"rotational_spring", read_rotational_spring}};
+
+/// Reports drivers of an origin that is not the centre of mass: the equations of motion do not contain it.
+void check_coordinate_drivers(const Reading& reading) {
+    for (const Driver& driver : reading.lesson.mechanism.drivers) {
+        const auto* m = std::get_if<CoordinateMeasure>(&driver.measure);
+        const auto& mass = reading.lesson.dynamics->loads.masses[static_cast<std::size_t>(driver.body_j)];
+        const auto named = reading.names.find(driver.name);
+        if (m == nullptr || m->coordinate >= 3 || !mass || mass->centre_local.isZero(0.0)) { continue; }
+        if (named == reading.names.end()) { continue; }
+        reading.problems->add(
+            Code::driven_origin, named->second.span,
+            "driver " + in_quotes(driver.name) +
+                " moves the origin of a body whose centre of mass is elsewhere; expected 'centre' at the "
+                "origin in a lesson of dynamics",
+            "a displacement or a distance can be driven at any point");
+    }
+}
+
+}  // namespace
+
+void read_loads(Fields& root, Reading& reading) {
+    const bool dynamics_wrong = root.has("dynamics") && !reading.lesson.dynamics;
+    for (const Kind& kind : kKinds) {
+        if (!root.has(kind.key) || dynamics_wrong) { continue; }
+        if (!reading.lesson.dynamics) {
+            reading.problems->add(
+                Code::needs_dynamics, root.span(kind.key),
+                in_quotes(kind.key) + " in a lesson without [dynamics]; expected a table " +
+                    "[dynamics] with the 'duration' in s");
+            continue;
+        }
+        for (Fields& fields : root.tables(kind.key, kMostLoads)) { kind.read(fields, reading); }
+    }
+    if (reading.lesson.dynamics) { check_coordinate_drivers(reading); }
+}
+
+}  // namespace jw::reading

@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/format/motion_keys.hpp"
+#include "lessons/read/reading.hpp"
+#include "lessons/typed/exact_text.hpp"
+
+namespace jw::reading {
+
+namespace {
+
+// more coefficients or parts than this are data, not a lesson
+constexpr std::size_t kMostParts = 100;
+// a shorter step has unrealistic accelerations [s]
+constexpr double kShortestStep = 1e-6;
+// number of times at which values are checked
+constexpr int kMomentsLookedAt = 200;
+
+/// Keys of a function's values: plain for a length, "_deg" or "_rad" for an angle.
+struct ValueKeys {
+    bool angle = false;
+
+    std::string name(const std::string& key) const { return angle ? key + "_deg" : key; }
+    std::optional<Located<double>> number(Fields& fields, const std::string& key) const {
+        return angle ? fields.angle(key) : fields.number(key);
+    }
+    void require(Fields& fields, const std::string& key, const char* expected) const {
+        if (!angle || !fields.has(key + "_rad")) { fields.require(name(key), expected); }
+    }
+};
+
+void read_polynomial(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
+    const auto take = [&](const std::string& key) {
+        const auto list = fields.numbers(key, 0, format::kMostCoefficients);
+        if (list) { function.polynomial = list->value; }
+    };
+    if (!keys.angle) {
+        take("polynomial");
+    } else if (fields.at_most_one({"polynomial_deg", "polynomial_rad"})) {
+        take("polynomial_deg");
+        std::ranges::transform(function.polynomial, function.polynomial.begin(), radians);
+        take("polynomial_rad");
+    }
+}
+
+void read_harmonic(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
+    TimeFunction::Harmonic harmonic;
+    fields.call("the harmonic");
+    keys.require(fields, "amplitude", "the size of the swing");
+    if (const auto amplitude = keys.number(fields, "amplitude")) { harmonic.amplitude = amplitude->value; }
+    const auto frequency = fields.number("frequency_hz");
+    const auto omega = fields.number("omega_rad_per_s");
+    fields.at_most_one({"frequency_hz", "omega_rad_per_s"});
+    if (!fields.has("omega_rad_per_s")) { fields.require("frequency_hz", "its oscillations per second"); }
+    if (const auto phase = fields.angle("phase")) { harmonic.phase = phase->value; }
+    fields.finish();
+    if (frequency) { harmonic.omega = omega_of_frequency(frequency->value); }
+    if (omega) { harmonic.omega = omega->value; }
+    function.harmonics.push_back(harmonic);
+}
+
+void read_step(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
+    TimeFunction::SmoothStep step;
+    fields.call("the step");
+    keys.require(fields, "to", "the value at which it ends");
+    fields.require("end_s", "the time at which it ends");
+    if (const auto from = keys.number(fields, "from")) { step.from = from->value; }
+    if (const auto to = keys.number(fields, "to")) { step.to = to->value; }
+    if (const auto start = fields.number("start_s")) { step.start = start->value; }
+    const auto end = fields.number("end_s");
+    fields.finish();
+    if (!end) { return; }
+    step.end = end->value;
+    if (step.end - step.start < kShortestStep) {
+        const int digits = writing::digits_apart(step.end, step.start, 6);
+        fields.problems().add(
+            Code::ends_before_start, end->span,
+            "the step ends at " + short_number(step.end, digits) + " s and starts at " +
+                short_number(step.start, digits) + " s; expected 'end_s' at least 1e-6 s after 'start_s'");
+        return;
+    }
+    function.steps.push_back(step);
+}
+
+}  // namespace
+
+TimeFunction read_time_function(Fields& fields, bool angle) {
+    const ValueKeys keys{angle};
+    TimeFunction function;
+    read_polynomial(fields, keys, function);
+    for (Fields& harmonic : fields.tables("harmonics", kMostParts)) {
+        read_harmonic(harmonic, keys, function);
+    }
+    for (Fields& step : fields.tables("step", kMostParts)) { read_step(step, keys, function); }
+    if (!has_time_function(fields, angle)) {
+        fields.missing(
+            keys.name("polynomial"),
+            "a function of time: " + keys.name("polynomial") + ", harmonics or step");
+    }
+    return function;
+}
+
+bool has_time_function(Fields& fields, bool angle) {
+    const bool polynomial =
+        angle ? fields.has("polynomial_deg") || fields.has("polynomial_rad") : fields.has("polynomial");
+    return polynomial || fields.has("harmonics") || fields.has("step");
+}
+
+void check_values(Fields& fields, const TimeFunction& function, double from, double to, bool never_negative) {
+    for (int k = 0; k <= kMomentsLookedAt; ++k) {
+        const double t = from + (to - from) * k / kMomentsLookedAt;
+        const TimeFunction::Value value = function.at(t);
+        const bool finite =
+            std::isfinite(value.f) && std::isfinite(value.f_dot) && std::isfinite(value.f_ddot);
+        const int digits = writing::digits_apart(std::abs(value.f), kLargestNumber, 6);
+        const std::string place = fields.what() + " reaches " + short_number(value.f, digits) +
+                                  " at t = " + short_number(t) + " s; expected ";
+        if (!finite || std::abs(value.f) > kLargestNumber) {
+            fields.problems().add(Code::beyond_all_values, fields.span(), place + "at most 1e9 in magnitude");
+            return;
+        }
+        if (never_negative && value.f < 0.0) {
+            fields.problems().add(
+                Code::beyond_all_values, fields.span(), place + "a distance, which is never negative");
+            return;
+        }
+    }
+}
+
+}  // namespace jw::reading

@@ -1,0 +1,171 @@
+#include "lessons/read/reader.hpp"
+
+#include <algorithm>
+
+#include "lessons/fields/toml_text.hpp"
+#include "lessons/files/course.hpp"
+#include "lessons/files/file_text.hpp"
+#include "lessons/read/reading.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr int kFormat = 1;
+constexpr std::size_t kLargestFile = 10U << 20U;
+constexpr std::size_t kMostReported = 50;
+
+/// The format is read first, so that a reader of another version can report it instead of guessing.
+/// @return true if the rest can be read
+bool read_format(Fields& root, const toml::table& table) {
+    root.require("format", "format = 1 as the first key");
+    const auto format = root.integer("format", -1000000, 1000000);
+    if (!format) { return true; }
+    if (format->value != kFormat) {
+        root.problems().add(
+            Code::other_format, format->span,
+            "this is format " + std::to_string(format->value) + "; expected format = 1",
+            "a newer version of Jointwise may support it");
+        return false;
+    }
+    const auto is_before = [&](const toml::key& key) {
+        // a key that the program has inserted does not have a line
+        const int line = span_of(key.source()).line;
+        return line > 0 && line < format->span.line;
+    };
+    if (std::ranges::any_of(table, [&](const auto& entry) { return is_before(entry.first); })) {
+        root.problems().add(
+            Code::format_not_first, format->span,
+            "'format' stands after other keys; expected it as the first key");
+    }
+    return true;
+}
+
+/// A moving body that nothing holds or drives is rarely intended, unless masses and forces move it.
+void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
+    if (read.lesson.dynamics) { return; }
+    const Mechanism& mechanism = read.lesson.mechanism;
+    std::vector<bool> held(mechanism.bodies.size(), false);
+    for (const Joint& joint : mechanism.joints) {
+        held[static_cast<std::size_t>(joint.body_i)] = true;
+        held[static_cast<std::size_t>(joint.body_j)] = true;
+    }
+    for (const Driver& driver : mechanism.drivers) {
+        held[static_cast<std::size_t>(driver.body_i)] = true;
+        held[static_cast<std::size_t>(driver.body_j)] = true;
+    }
+    for (std::size_t b = 0; b < held.size(); ++b) {
+        const Body& body = mechanism.bodies[b];
+        const auto named = read.names.find(body.name);
+        if (held[b] || body.fixed || named == read.names.end()) { continue; }
+        problems.warn(
+            Code::loose_body, named->second.span, "no joint and no driver holds body " + in_quotes(body.name),
+            "it keeps six freedoms");
+    }
+}
+
+/// Reports the mistakes in the order of a course, or that the file is a course.
+ReadResult no_lesson_but_course(std::string source, const std::filesystem::path& path) {
+    const std::string file_name = path.string();
+    CourseRead course =
+        read_course(std::move(source), file_name, path.has_parent_path() ? path.parent_path() : ".");
+    if (course.diagnostics.empty()) {
+        const std::string message = "this is the order of a course; expected a lesson (.toml)";
+        course.diagnostics.push_back({file_name, {}, Code::course_no_lesson, message, {}, Severity::error});
+    }
+    return {std::nullopt, std::move(course.diagnostics), std::move(course.source), {}};
+}
+
+Lesson read_root(Fields& root, Problems& problems) {
+    reading::Reading read;
+    read.problems = &problems;
+    reading::read_head(root, read.lesson);
+    reading::read_motion(root, read.lesson);
+    reading::read_camera(root, read.lesson);
+    reading::read_bodies(root, read);
+    reading::read_dynamics(root, read);
+    reading::read_precision(root, read.lesson);
+    reading::read_joints(root, read);
+    reading::read_drivers(root, read);
+    reading::read_loads(root, read);
+    reading::read_order(root, read);
+    reading::read_steps(root, read);
+    reading::read_claims(root, read);
+    reading::read_questions(root, read);
+    // read when they are needed (lessons/exercise)
+    root.has("exercise");
+    root.finish();
+    if (problems.errors_count() == 0) { warn_of_loose_bodies(read, problems); }
+    return std::move(read.lesson);
+}
+
+void read_table(
+    const toml::table& table, const std::string& file_name, Problems& problems, ReadResult& result) {
+    Fields root(table, "the lesson", problems, &key_tables().front());
+    if (!read_format(root, table)) { return; }
+    Lesson lesson = read_root(root, problems);
+    lesson.file_name = file_name;
+    if (problems.errors_count() == 0) { result.lesson = std::move(lesson); }
+}
+
+}  // namespace
+
+std::string ReadResult::report() const {
+    std::string text;
+    for (std::size_t k = 0; k < std::min(kMostReported, diagnostics.size()); ++k) {
+        text += to_string(diagnostics[k], source);
+    }
+    if (diagnostics.size() > kMostReported) {
+        const char* at_least = diagnostics.size() >= kMostProblems ? "at least " : "";
+        text += std::string("... and ") + at_least + std::to_string(diagnostics.size() - kMostReported) +
+                " more\n";
+    }
+    return text;
+}
+
+ReadResult read_lesson(std::string source, std::string file_name) {
+    ReadResult result;
+    result.source = std::move(source);
+    Problems problems(file_name, result.source);
+    if (const auto table = reading::parse_toml(result.source, problems)) {
+        read_table(*table, file_name, problems, result);
+    }
+    result.diagnostics = problems.take();
+    result.texts = std::move(problems.texts());
+    return result;
+}
+
+ReadResult read_lesson_with_claims(std::string source, std::string file_name, const std::string& claims) {
+    ReadResult result;
+    result.source = std::move(source);
+    Problems problems(file_name, result.source);
+    if (auto table = reading::parse_toml(result.source, problems)) {
+        for (const char* key : {"expect", "question", "try", "exercise"}) { table->erase(key); }
+        toml::table others = toml::parse(claims);
+        if (toml::node* const list = others.get("expect")) { table->insert("expect", std::move(*list)); }
+        read_table(*table, file_name, problems, result);
+    }
+    result.diagnostics = problems.take();
+    result.texts = std::move(problems.texts());
+    return result;
+}
+
+ReadResult read_lesson_file(const std::filesystem::path& path) {
+    FileText file = read_file_text(path, kLargestFile);
+    if (!file.problem.empty()) {
+        ReadResult result;
+        const std::string name = path.empty() ? "''" : path.string();
+        const std::string message = file.problem + "; expected a lesson (.toml)";
+        result.diagnostics.push_back({name, {}, Code::file_unreadable, message, {}, Severity::error});
+        return result;
+    }
+    if (path.filename() == kCourseFile) { return no_lesson_but_course(std::move(file.text), path); }
+    return read_lesson(std::move(file.text), path.string());
+}
+
+std::string toml_version() {
+    return std::to_string(TOML_LIB_MAJOR) + '.' + std::to_string(TOML_LIB_MINOR) + '.' +
+           std::to_string(TOML_LIB_PATCH);
+}
+
+}  // namespace jw

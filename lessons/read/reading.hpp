@@ -1,0 +1,121 @@
+#pragma once
+
+#include <map>
+
+#include "core/model/placement.hpp"
+#include "lessons/fields/fields.hpp"
+#include "lessons/lesson/lesson.hpp"
+#include "lessons/typed/typed.hpp"
+
+/// Parts of the reader: each turns one kind of table into its part of a Lesson.
+namespace jw::reading {
+
+// more than any lecture shows; a small machine can still hold matrices of this size
+inline constexpr std::size_t kMostBodies = 500;
+inline constexpr std::size_t kMostJoints = 1000;
+inline constexpr std::size_t kMostDrivers = 500;
+
+/// Thing that a name of the lesson stands for.
+struct Named {
+    enum class Kind { body, joint, driver };
+    Kind kind = Kind::body;
+    int index = 0;
+    SourceSpan span;    ///< of its name
+    bool sound = true;  ///< false: its own table is wrong, so no conclusions are drawn from it
+};
+
+/// Mass of a body, as far as it was given.
+struct ReadMass {
+    std::optional<MassProperties> properties;
+    SourceSpan span;     ///< of the first of its keys
+    bool given = false;  ///< also if it is wrong
+};
+
+struct Reading {
+    Lesson lesson;
+    std::vector<ReadMass> masses;  ///< one per body
+    Problems* problems = nullptr;
+    std::map<std::string, Named, std::less<>> names;
+
+    /// Reads the key `name` and gives it to the entry `index` of its kind. Empty if there is none.
+    std::string declare(Fields& fields, Named::Kind kind, int index);
+    /// Marks the thing of that name as not to be trusted.
+    void distrust(const std::string& name);
+
+    /// Thing that a name refers to; reports a name that is unknown or of another kind.
+    const Named* body(const Located<std::string>& name) const;
+    const Named* joint(const Located<std::string>& name) const;
+    /// A joint or a driver.
+    const Named* addition(const Located<std::string>& name) const;
+    /// Place of an addition in the order, 0 for the first.
+    int place_of(const Named& addition) const;
+
+private:
+    using Kinds = std::vector<Named::Kind>;
+    const Named* find(const Located<std::string>& name, const Kinds& kinds) const;
+};
+
+/// "body", "joint", "driver".
+const char* word_for(Named::Kind kind);
+
+void read_head(Fields& root, Lesson& lesson);
+void read_motion(Fields& root, Lesson& lesson);
+void read_camera(Fields& root, Lesson& lesson);
+void read_bodies(Fields& root, Reading& reading);
+/// [dynamics], and a check that the bodies have masses; after the bodies.
+void read_dynamics(Fields& root, Reading& reading);
+/// [precision]; before the joints.
+void read_precision(Fields& root, Lesson& lesson);
+void read_joints(Fields& root, Reading& reading);
+void read_drivers(Fields& root, Reading& reading);
+/// Forces, torques, springs; after joints and drivers.
+void read_loads(Fields& root, Reading& reading);
+/// Order of additions and texts of steps; after joints and drivers.
+void read_order(Fields& root, Reading& reading);
+void read_steps(Fields& root, Reading& reading);
+/// The key `formula` of a claim and those that belong to it; nothing if there is none, or it is wrong.
+std::optional<FormulaClaim> read_formula_claim(Fields& fields, const Reading& reading);
+void read_questions(Fields& root, Reading& reading);
+/// Claims; after the order.
+void read_claims(Fields& root, Reading& reading);
+
+/// Key `shape`, one or several.
+std::vector<Shape> read_shapes(Fields& fields);
+/// Keys `mass`, `inertia`, `centre`.
+ReadMass read_mass(Fields& fields);
+/// Colour by palette name or "#rrggbb".
+std::optional<Colour> read_colour(Fields& fields);
+/// Key `axes`: columns are the axes of a frame, orthonormal and right-handed.
+std::optional<Mat3> read_frame(Fields& fields);
+/// The function of time of a driver; an angle has its unit in the keys.
+TimeFunction read_time_function(Fields& fields, bool angle);
+/// True if one of its keys is there.
+bool has_time_function(Fields& fields, bool angle);
+/// Reports impossible values between two times: overflow, or negative ones if `never_negative`.
+void check_values(Fields& fields, const TimeFunction& function, double from, double to, bool never_negative);
+
+/// A point of a moving body: the keys `body` and `at` (global, at the start pose) or `point` (local).
+struct ReadPoint {
+    int body = 0;
+    std::optional<Vec3> point_local;  ///< absent if neither key is there
+};
+std::optional<ReadPoint> read_point_of_body(Fields& fields, const Reading& reading);
+
+/// Names of the joint types for which `has` holds.
+std::string types_with(bool (JointType::*has)() const);
+
+/// Key `bodies`: two different bodies, not both fixed.
+struct PairIndices {
+    int i = 0;
+    int j = 0;
+    bool sound = false;
+};
+PairIndices read_pair(Fields& fields, const Reading& reading);
+BodyPair pair_of(const Reading& reading, const PairIndices& indices);
+
+/// Vectors of a joint whose type and bodies are known.
+void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint);
+/// Gives the joints the geometry that was meant, where they are redundant only to the digits typed.
+void take_as_meant(std::vector<Fields>& bodies, const std::vector<Fields>& joints, Reading& reading);
+
+}  // namespace jw::reading

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/model/placement.hpp"
+#include "lessons/fields/member_keys.hpp"
+#include "lessons/format/motion_keys.hpp"
+#include "lessons/lesson/enum_words.hpp"
+#include "lessons/typed/typed.hpp"
+#include "lessons/write/writing.hpp"
+
+namespace jw::writing {
+
+namespace {
+
+void write_plan(const Written& written, const DynamicsPlan& plan, Lines& lines) {
+    const SimulationSettings& settings = plan.settings;
+    const SimulationSettings usual;
+    lines.table("[dynamics]");
+    write_members(format::kGravity, plan.loads, lines);
+    write_members(format::kDuration, plan, lines);
+    if (plan.method_given || settings.method != usual.method) {
+        lines.key("method", string_text(std::string(entry_of(settings.method).name)));
+    }
+    if (settings.treatment != usual.treatment) {
+        lines.key("treatment", string_text(std::string(entry_of(settings.treatment).name)));
+    }
+    write_members(format::kAccuracy, settings, lines);
+    if (!plan.point) { return; }
+    lines.key(
+        "point", "{ body = " + string_text(written.body(plan.point->body)) +
+                     ", point = " + vector_text(plan.point->point_local) + " }");
+    if (plan.point_at_end) { lines.key("point_at_end", *plan.point_at_end, "m"); }
+}
+
+/// Keys of a direction times a magnitude, `what` being "force" or "torque".
+void write_vector(
+    const std::string& what, const std::string& unit, const Vec3& direction, Frame frame,
+    const TimeFunction& magnitude, Lines& lines) {
+    if (frame != Frame::global) { lines.key("frame", string_text(word_of(kFrames, frame))); }
+    const bool constant = magnitude == TimeFunction{{1.0}, {}, {}};
+    const bool unit_length = std::abs(direction.squaredNorm() - 1.0) <= kUnitUpToRounding;
+    if (!constant && unit_length) {
+        lines.key("direction", typed_direction(direction));
+    } else {
+        lines.key(what, direction, constant ? unit : unit + ", times the function of time");
+    }
+    if (!constant) { write_time_function(magnitude, false, lines); }
+}
+
+void write_constants(double stiffness, double damping, const std::string& per, Lines& lines) {
+    if (stiffness != 0.0 || damping == 0.0) { lines.key("stiffness", stiffness, per); }
+    if (damping != 0.0) { lines.key("damping", damping); }
+}
+
+void write_spring(const Written& written, const Spring& spring, Lines& lines) {
+    lines.table("[[spring]]");
+    lines.key("bodies", written.pair(spring.body_i, spring.body_j));
+    lines.key("point_i", spring.P_i_local);
+    lines.key("point_j", spring.P_j_local);
+    write_constants(spring.stiffness, spring.damping, "N/m", lines);
+    lines.key("free_length", spring.free_length, "m");
+}
+
+void write_rotational_spring(const Written& written, const RotationalSpring& spring, Lines& lines) {
+    const std::vector<Joint>& joints = written.lesson->mechanism.joints;
+    bool any = false;
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+        if (!acts_about(spring, joints[k])) { continue; }
+        any = true;
+        if (!written.has({Addition::Kind::joint, static_cast<int>(k)})) { continue; }
+        lines.table("[[rotational_spring]]");
+        lines.key("joint", string_text(joints[k].name));
+        write_constants(spring.stiffness, spring.damping, "N m/rad", lines);
+        lines.angle("free_angle", spring.free_angle);
+        return;
+    }
+    if (!any) {
+        throw std::invalid_argument("a rotational spring of a lesson acts about the axis of a joint");
+    }
+}
+
+}  // namespace
+
+void write_mass(const MassProperties& mass, Lines& lines) {
+    const Mat3& J = mass.J_local;
+    lines.key("mass", mass.mass, "kg");
+    if (!mass.centre_local.isZero(0.0)) { lines.key("centre", mass.centre_local, "m"); }
+    std::vector<double> moments{J(0, 0), J(1, 1), J(2, 2)};
+    if (J(0, 1) != 0.0 || J(0, 2) != 0.0 || J(1, 2) != 0.0) {
+        moments.insert(moments.end(), {J(0, 1), J(0, 2), J(1, 2)});
+    }
+    lines.key("inertia", list_text(moments), "kg m²");
+}
+
+void write_dynamics(const Written& written, Lines& lines) {
+    if (!written.lesson->dynamics) { return; }
+    const DynamicsPlan& plan = *written.lesson->dynamics;
+    lines.section("dynamics: points [m] in the frames of their bodies");
+    write_plan(written, plan, lines);
+    for (const AppliedForce& force : plan.loads.forces) {
+        lines.table("[[force]]");
+        lines.key("body", string_text(written.body(force.body)));
+        lines.key("point", force.point_local);
+        write_vector("force", "N", force.direction, force.frame, force.magnitude, lines);
+    }
+    for (const AppliedTorque& torque : plan.loads.torques) {
+        lines.table("[[torque]]");
+        lines.key("body", string_text(written.body(torque.body)));
+        write_vector("torque", "N m", torque.direction, torque.frame, torque.magnitude, lines);
+    }
+    for (const Spring& spring : plan.loads.springs) { write_spring(written, spring, lines); }
+    for (const RotationalSpring& spring : plan.loads.rotational_springs) {
+        write_rotational_spring(written, spring, lines);
+    }
+}
+
+}  // namespace jw::writing

@@ -1,0 +1,115 @@
+#include "library/motion.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "library/convert.hpp"
+#include "library/inside.hpp"
+#include "core/integrate/simulation.hpp"
+#include "core/kinematics/motion_tracker.hpp"
+
+namespace jointwise {
+inline namespace JOINTWISE_ABI {
+
+namespace {
+
+jw::Method method_named(const std::string& name) {
+    const auto* found = std::ranges::find(jw::kMethods, name, &jw::MethodName::name);
+    if (found != jw::kMethods.end()) { return found->method; }
+    std::string names;
+    for (const jw::MethodName& method : jw::kMethods) {
+        names += (names.empty() ? "" : ", ") + std::string(method.name);
+    }
+    throw std::invalid_argument("jointwise: there is no method '" + name + "'; expected one of " + names);
+}
+
+/// Why a simulation ended, in the order of SimulationFailure::Cause.
+constexpr std::array kCauses{
+    "redundant equations contradict the others",
+    "no state satisfies the equations",
+    "accelerations do not satisfy the equations of motion",
+    "the step became too small",
+    "a number is not finite",
+    "a step turns a rotational spring too far for its turns to be counted",
+    "there were too many steps"};
+static_assert(kCauses.size() == static_cast<std::size_t>(jw::SimulationFailure::Cause::too_many_steps) + 1);
+
+NotReached ended(const jw::SimulationFailure& failure) {
+    const std::string of = failure.equation_of.empty() ? "" : " (" + failure.equation_of + ")";
+    return NotReached(
+        "jointwise: the motion ends at t = " + number_text(failure.t) +
+        " s: " + kCauses[static_cast<std::size_t>(failure.cause)] + of);
+}
+
+jw::SimulationSettings settings_of(const Simulation& simulation) {
+    jw::SimulationSettings settings;
+    settings.method = method_named(simulation.method);
+    settings.tolerance = simulation.tolerance;
+    settings.step = simulation.step;
+    return settings;
+}
+
+}  // namespace
+
+void follow_into(
+    const Mechanism& mechanism, const std::vector<double>& times, const Receive& receive,
+    const std::function<bool()>& go_on) {
+    expect_ascending(times);
+    const jw::Mechanism& inside = mechanism.inside().mechanism;
+    const jw::State start = state_of(inside, assemble(mechanism, times.front()));
+    jw::System system(inside, jw::everything(inside));
+    system.choose_rows(start);
+    jw::MotionTracker tracker(system, start, times.front());
+    for (const double t : times) {
+        if (go_on && !go_on()) {
+            throw NotReached("jointwise: the motion was given up before t = " + number_text(t) + " s");
+        }
+        if (!tracker.advance_to(t)) {
+            throw NotReached(
+                "jointwise: the motion ends at t = " + number_text(tracker.frame().t) +
+                " s: " + row_name(system, tracker.failure()->row) + " cannot be satisfied beyond it");
+        }
+        const jw::MotionFrame& frame = tracker.frame();
+        receive({pose_of(frame.state, t), rates_of(frame.velocity), rates_of(frame.acceleration), 0.0});
+    }
+}
+
+void simulate_into(
+    const Mechanism& mechanism, const std::vector<double>& times, const Simulation& settings,
+    const Receive& receive) {
+    expect_ascending(times);
+    if (times.front() < 0.0) {
+        throw std::invalid_argument("jointwise: a time is below 0; motion starts at 0");
+    }
+    const auto& [inside, loads] = mechanism.inside();
+    jw::Simulation simulation(inside, loads, settings_of(settings));
+    const auto receive_state = [&](double t, const std::vector<double>& y) {
+        const jw::Snapshot now = simulation.snapshot(t, y);
+        const jw::Motion acceleration = simulation.acceleration_as_given(t, y);
+        receive(
+            {pose_of(now.state, t), rates_of(now.velocity), rates_of(acceleration),
+             now.kinetic + now.potential});
+    };
+    jw::RunWatch watch;
+    if (settings.go_on) {
+        watch = [&](const jw::RunState&) { return settings.go_on(); };
+    }
+    const jw::SimulationOutcome outcome = simulation.run(times, receive_state, watch);
+    if (outcome.failure) { throw ended(*outcome.failure); }
+}
+
+std::vector<Moment> follow(const Mechanism& mechanism, const std::vector<double>& times) {
+    std::vector<Moment> moments;
+    follow_into(mechanism, times, [&](const Moment& moment) { moments.push_back(moment); });
+    return moments;
+}
+
+std::vector<Moment> simulate(
+    const Mechanism& mechanism, const std::vector<double>& times, const Simulation& settings) {
+    std::vector<Moment> moments;
+    simulate_into(mechanism, times, settings, [&](const Moment& moment) { moments.push_back(moment); });
+    return moments;
+}
+
+}  // namespace JOINTWISE_ABI
+}  // namespace jointwise
