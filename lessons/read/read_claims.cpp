@@ -57,7 +57,7 @@ void read_counts(Fields& fields, Facts& facts) {
     }
 }
 
-void read_memberss_and_verdicts(Fields& fields, Facts& facts) {
+void read_bounds_and_verdicts(Fields& fields, Facts& facts) {
     for (const EnumWord<Bound>& bound : kBounds) {
         if (const auto value = fields.positive(bound.word)) {
             facts.emplace_back(BoundClaim{bound.value, value->value}, value->span);
@@ -188,7 +188,7 @@ void read_claim(Fields& fields, Reading& reading) {
     const auto why = fields.words("why", Audience::authors);
     Facts facts;
     read_counts(fields, facts);
-    read_memberss_and_verdicts(fields, facts);
+    read_bounds_and_verdicts(fields, facts);
     read_dropped(fields, reading, when, facts);
     read_measured(fields, reading, when, facts);
     const bool only_formulas = facts.empty();

@@ -129,4 +129,13 @@ TEST_CASE(
             CHECK(failure.t == Approx(begins).margin(1e-12));
         }
     }
+    // there and back within one interval: t⁴ - t³ is 0 at both ends, and so are its derivatives at the start
+    Mechanism mechanism = four_bar_of({}, {2.0, 1.5, 1.0, 3.0}, 0.0, locks, 1.0, 1.0).mechanism;
+    mechanism.drivers[0].function = TimeFunction{{locks, 0.0, 0.0, -1.0, 1.0}, {}, {}};
+    for (const int steps : {1, 7}) {
+        CAPTURE(steps);
+        const PositionFailure failure = end_of(mechanism, steps);
+        CHECK(failure.cause == FailureCause::undecided);
+        CHECK(failure.t == 0.0);
+    }
 }
