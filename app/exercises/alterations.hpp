@@ -4,8 +4,8 @@
 
 #include "app/exercises/alter.hpp"
 
-/// What mistakes make of the right formula: one altered formula for each place where the mistake can be made,
-/// and often one with the mistake made everywhere.
+/// Formulas with one mistake: one altered formula for each place where the mistake can be made, and often one
+/// with the mistake made everywhere.
 namespace jw::alterations {
 
 using Alterations = std::vector<Altered>;

@@ -52,7 +52,7 @@ std::vector<KnownMistake> mistakes_in_two_terms(const Variant& variant);
 /// Whether the answers of known mistakes are computed, of which there are many.
 enum class KnownMistakes { answered, left_out };
 
-/// The same for a formula, at any instant of the scene's mechanism.
+/// Right answer and answers of known mistakes of a formula, at any instant of the scene's mechanism.
 Asked asked_at(const Variant& variant, const Instant& instant, KnownMistakes mistakes);
 
 /// Largest difference of an entry from `right`, with turns and the sign of p taken into account; infinity if

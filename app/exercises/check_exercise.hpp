@@ -28,7 +28,7 @@ struct ExerciseCheck {
 /// (which has to be named) and nonsense (which has to be refused or wrong).
 ExerciseCheck check_exercise(const Exercise& exercise, int variants);
 
-/// The same for several exercises, as results of `jointwise check`: one for each.
+/// Results of `jointwise check` for several exercises, one for each; as check_exercise.
 std::vector<ClaimResult> check_exercises(const std::vector<Exercise>& exercises, int variants);
 
 }  // namespace jw

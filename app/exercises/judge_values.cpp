@@ -18,7 +18,7 @@ namespace {
 constexpr double kWorthOfEntries = 0.5;
 /// An answer that is nearer than this many tolerances was probably rounded too early.
 constexpr double kRoundedEarly = 10.0;
-/// To name a mistake, every other answer must be this many times farther away.
+/// Factor by which every other answer must be farther away for a mistake to be named.
 constexpr double kClearly = 3.0;
 /// For a single number, at most this many pairs of mistakes are tried.
 constexpr std::size_t kMostPairsOfNumber = 20;

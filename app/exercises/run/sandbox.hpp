@@ -15,7 +15,7 @@ inline constexpr const char* kBwrap = "/usr/bin/bwrap";
 /// Longest time that setting up a sandbox may take on a busy machine [s].
 inline constexpr double kLongestSetUp = 20.0;
 
-/// What a program may use. Times are seconds of the clock, or of all processors together.
+/// Limits of a program in a sandbox. Times are seconds of the clock, or of all processors together.
 struct SandboxLimits {
     double wall_seconds = 20.0;
     double cpu_seconds = 5.0;                    ///< of all processes of the run together
@@ -80,7 +80,7 @@ struct SandboxAvailability {
 /// Whether a sandbox works here: tried once per process, with a command that does nothing.
 const SandboxAvailability& sandbox_availability();
 
-/// The same for another bubblewrap, tried again at each call.
+/// Availability of a sandbox by another bubblewrap, tried again at each call.
 SandboxAvailability try_sandbox(const std::string& bwrap);
 
 }  // namespace jw::exercises

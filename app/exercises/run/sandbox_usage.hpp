@@ -7,7 +7,7 @@
 
 namespace jw::exercises {
 
-/// What all processes of a sandbox use together at one moment.
+/// Resources that all processes of a sandbox use together at one moment.
 struct SandboxUsage {
     double cpu_seconds = 0.0;        ///< of living processes and of the ended ones that they have waited for
     std::uint64_t memory_bytes = 0;  ///< shared pages are counted for each process

@@ -53,7 +53,7 @@ private:
     void hints(const LessonUi& ui, const Practice& practice);
     void solution(const LessonUi& ui, const Practice& practice);
 
-    /// What the student has been shown of the current exercise. New parts are scrolled into view.
+    /// Parts of the current exercise that the student has been shown. New parts are scrolled into view.
     struct Told {
         int verdicts = 0;
         int hints = 0;
