@@ -43,6 +43,11 @@ Vector3 unit(const Vector3& v, const std::string& what) {
     return v.normalized();
 }
 
+double nonzero(const std::optional<double>& number, const std::string& what) {
+    expect(number.has_value() && std::isfinite(*number) && *number != 0.0, what);
+    return *number;
+}
+
 jw::JointGeometry geometry_of(const jw::JointType& type, const jw::BodyPair& pair, const Place& place) {
     const jw::JointNeeds needs(type);
     const Vector3 to = place.to.value_or(place.at);
@@ -55,11 +60,16 @@ jw::JointGeometry geometry_of(const jw::JointType& type, const jw::BodyPair& pai
         const Vector3 axis = unit(place.axis, "axis");
         expect(!needs.arms || place.axis2, "axis2 is absent; expected the axis of the second body");
         const Vector3 axis2 = needs.arms ? unit(*place.axis2, "axis2") : axis;
-        expect(!needs.arms || jw::is_perpendicular(axis, axis2), "axis and axis2 are not perpendicular");
+        expect(
+            !needs.right_angle || jw::is_perpendicular(axis, axis2), "axis and axis2 are not perpendicular");
         g.s_i_local = pair.vector_i(axis);
         g.s_j_local = pair.vector_j(axis2);
     }
-    if (needs.sides) {
+    if (needs.sides && type.artificial > 0 && !type.has_angle()) {
+        const auto line = jw::wheel_line(pair, type, g);
+        expect(line.has_value(), "the wheels have no line between them; expected other axes or points");
+        jw::set_marks(pair, *line, g);
+    } else if (needs.sides) {
         const Vector3 axis = unit(place.axis, "axis");
         const Vector3 side = place.side ? unit(*place.side, "side") : Vector3(jw::perpendicular_to(axis));
         expect(jw::is_perpendicular(axis, side), "side is not perpendicular to the axis");
@@ -76,6 +86,16 @@ jw::JointGeometry geometry_of(const jw::JointType& type, const jw::BodyPair& pai
         expect(std::isfinite(*place.pitch), "pitch is not finite");
         g.alpha = *place.pitch / (2.0 * std::numbers::pi);
         g.d_0 = (to - place.at).dot(unit(place.axis, "axis"));
+    }
+    if (type.uses(jw::Role::curve_x)) {
+        expect(place.curve.size() >= 3, "curve has fewer than three points; expected those of a closed curve");
+        g.curve = jw::Curve::through(place.curve);
+    } else if (type.uses(jw::Role::rack_advance)) {
+        g.alpha = nonzero(place.radius, "radius is absent or 0; expected that of the wheel on the rack [m]");
+        g.d_0 = (to - place.at).dot(unit(place.axis, "axis"));
+    } else if (type.artificial > 0 && !type.has_angle()) {
+        g.ratio = nonzero(
+            place.ratio, "ratio is absent or 0; expected the turns of the second wheel in one of the first");
     }
     return g;
 }

@@ -32,7 +32,8 @@ int body_of(const Mechanism& m, const py::object& value) { return number_of(valu
 int add_joint(
     Mechanism& m, const std::string& name, const std::string& type, const py::object& body_i,
     const py::object& body_j, const py::object& at, const py::object& to, const py::object& axis,
-    const py::object& axis2, const py::object& side, const std::optional<double>& pitch) {
+    const py::object& axis2, const py::object& side, const std::optional<double>& pitch,
+    const std::optional<double>& ratio, const std::optional<double>& radius, const py::object& curve) {
     Place place;
     place.at = vector_of<3>(at, "at");
     place.to = optional_vector_of(to, "to");
@@ -40,6 +41,14 @@ int add_joint(
     place.axis2 = optional_vector_of(axis2, "axis2");
     place.side = optional_vector_of(side, "side");
     place.pitch = pitch;
+    place.ratio = ratio;
+    place.radius = radius;
+    if (!curve.is_none()) {
+        for (const py::handle point : curve) {
+            place.curve.push_back(
+                vector_of<3>(py::reinterpret_borrow<py::object>(point), "a point of curve"));
+        }
+    }
     return m.add_joint(name, type, body_of(m, body_i), body_of(m, body_j), place);
 }
 
@@ -63,14 +72,18 @@ void add_building(py::class_<Mechanism>& type) {
         .def(
             "add_joint", &add_joint, "name"_a, "type"_a, "body_i"_a, "body_j"_a, py::kw_only(), "at"_a = zero,
             "to"_a = py::none(), "axis"_a = py::make_tuple(0.0, 0.0, 1.0), "axis2"_a = py::none(),
-            "side"_a = py::none(), "pitch"_a = py::none(),
+            "side"_a = py::none(), "pitch"_a = py::none(), "ratio"_a = py::none(), "radius"_a = py::none(),
+            "curve"_a = py::none(),
             "Adds a joint of a type of `joint_types()` between two bodies, given by number or name. The "
             "place is "
             "global, at the start pose: point `at` of the first body and `to` of the second (None: the same) "
             "[m], `axis` "
-            "of both and `axis2` of the second where the two are perpendicular, `side` where angles begin, "
-            "`pitch` of a "
-            "screw [m per turn]. Returns its number.")
+            "of both and `axis2` of the second where it has another, `side` where angles begin, `pitch` of a "
+            "screw [m per turn], `ratio` of a gear or a belt (turns of the second wheel in one of the "
+            "first), "
+            "`radius` of the wheel on a rack [m], `curve`: points of a closed curve in the frame of the "
+            "first body [m]. "
+            "Returns its number.")
         .def(
             "add_driver",
             [](Mechanism& m, const std::string& name, const py::object& joint, const py::object& value) {

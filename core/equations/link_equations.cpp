@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 
 namespace jw {
 
@@ -16,19 +17,64 @@ bool form_is_free(const Joint& joint) {
            (joint.parallel_form == ParallelForm::rule || joint.parallel_form == ParallelForm::all_three);
 }
 
-ScrewTurned screw_turned(const Joint& joint) {
-    const JointGeometry& g = joint.geometry;
-    return {displacement_of(joint), angle_of(joint), g.alpha, g.d_0, g.theta_0};
+Wheel wheel_of(const Joint& joint, Role role) {
+    return std::get<Wheel>(primitive_of(role, joint.geometry, joint.parallel_form));
 }
 
-/// Primitive of a constraint without its artificial coordinate; none for the angle row of a screw.
+LinkPrimitive advance_turned(const Joint& joint) {
+    const JointGeometry& g = joint.geometry;
+    const DisplacementMeasure d = displacement_of(joint);
+    if (!joint.type->uses(Role::rack_angle)) {
+        return ScrewTurned{d, angle_of(joint), g.alpha, g.d_0, g.theta_0};
+    }
+    return RackTurned{d, wheel_of(joint, Role::rack_angle), g.alpha, g.d_0, g.theta_0};
+}
+
+/// Equations with θ that are taken out by hand.
+std::vector<EquationOut> thetas_out(const Joint& joint) {
+    std::vector<EquationOut> out;
+    std::ranges::copy_if(
+        joint.without, std::back_inserter(out), [](const EquationOut& e) { return has_theta(e.role); });
+    return out;
+}
+
+CurveFollowed curve_followed(const Joint& joint) {
+    const JointGeometry& g = joint.geometry;
+    CurveFollowed out{g.curve, g.P_i_local, g.P_j_local};
+    for (const EquationOut& e : thetas_out(joint)) {
+        const int component = static_cast<int>(e.role) - static_cast<int>(Role::curve_x);
+        out.free_axis = Vec3::Unit(component);
+        out.curve.constant(component) = out.curve.linear(component) = 0.0;
+        for (Curve::Harmonic& h : out.curve.harmonics) { h.cos(component) = h.sin(component) = 0.0; }
+    }
+    return out;
+}
+
+/// Rows that a joint's equations with θ leave for its bodies. Without one of the two equations of a screw or
+/// of wheels, the other only says what θ is.
+unsigned left_out_of(const Constraint& c, const Joint& joint) {
+    const auto out = thetas_out(joint).size();
+    if (!has_theta(c.role) || out == 0) { return c.left_out(); }
+    const bool is_curve = joint.type->uses(Role::curve_x);
+    return is_curve && out == 1 ? 2U : ~0U;
+}
+
+/// Primitive of a constraint without its artificial coordinate; none for the row that ties θ to the bodies.
 std::optional<LinkPrimitive> link_primitive(const Constraint& c, const Joint& joint) {
     return std::visit(
         [&](const auto& p) -> std::optional<LinkPrimitive> {
             using P = std::decay_t<decltype(p)>;
             if constexpr (std::is_same_v<P, ScrewAdvance>) {
-                return screw_turned(joint);
+                return advance_turned(joint);
             } else if constexpr (std::is_same_v<P, ScrewAngle>) {
+                return std::nullopt;
+            } else if constexpr (std::is_same_v<P, OnCurve>) {
+                // both rows at once
+                if (c.role != Role::curve_x) { return std::nullopt; }
+                return curve_followed(joint);
+            } else if constexpr (std::is_same_v<P, Wheel>) {
+                if (c.role == Role::wheel_j) { return GearTurned{wheel_of(joint, Role::wheel_i), p}; }
+                if (c.role == Role::bevel_j) { return GearTurned{wheel_of(joint, Role::bevel_i), p}; }
                 return std::nullopt;
             } else {
                 return p;
@@ -71,8 +117,11 @@ std::vector<Link> links_of(const Mechanism& mechanism) {
         const Joint& joint = paired.joints[static_cast<std::size_t>(c.joint)];
         std::optional<LinkPrimitive> primitive = link_primitive(c, joint);
         if (!primitive) { continue; }
-        const int rows = equations_of(*primitive) - std::popcount(c.left_out());
-        append(link_of_joint(links, c, rows), {std::move(*primitive), -1, c.left_out(), 0, 0});
+        const unsigned all = (1U << equations_of(*primitive)) - 1U;
+        const unsigned left_out = left_out_of(c, joint) & all;
+        if (left_out == all) { continue; }
+        const int rows = equations_of(*primitive) - std::popcount(left_out);
+        append(link_of_joint(links, c, rows), {std::move(*primitive), -1, left_out, 0, 0});
     }
     for (std::size_t d = 0; d < paired.drivers.size(); ++d) {
         const Driver& driver = paired.drivers[d];
@@ -84,28 +133,101 @@ std::vector<Link> links_of(const Mechanism& mechanism) {
     return links;
 }
 
-double up_to_turns(const LinkPrimitive& primitive, double phi) {
-    const auto* screw = std::get_if<ScrewTurned>(&primitive);
-    return screw != nullptr ? screw->residual_up_to_turns(phi) : phi;
+bool counts_turns(const LinkPrimitive& primitive) {
+    return std::visit([](const auto& p) { return CountsTurns<std::decay_t<decltype(p)>>; }, primitive);
 }
+
+double up_to_turns(const LinkPrimitive& primitive, double phi) {
+    return std::visit(
+        [&](const auto& p) {
+            if constexpr (CountsTurns<std::decay_t<decltype(p)>>) {
+                return p.residual_up_to_turns(phi);
+            } else {
+                return phi;
+            }
+        },
+        primitive);
+}
+
+namespace {
+
+/// Angle whose turns are counted, and its rate.
+struct CountedAngle {
+    double value;  ///< up to whole turns [rad]
+    double rate;
+};
+
+template <class J>
+CountedAngle counted(const J& jet) {
+    return {jet.value(0), jet.rate(0)};
+}
+
+template <class Angle>
+CountedAngle counted_angle(
+    const AdvanceTurned<Angle>& advance, const BodyKinematics<OmegaLocal>& i,
+    const BodyKinematics<OmegaLocal>& j) {
+    return counted(measured<Content::motion>(advance.angle, i, j, Theta{}));
+}
+
+CountedAngle counted_angle(
+    const GearTurned& gear, const BodyKinematics<OmegaLocal>& i, const BodyKinematics<OmegaLocal>& j) {
+    return counted(measured<Content::motion>(gear.i, i, j, Theta{}));
+}
+
+/// The parameter of a curve and its rate.
+CountedAngle parameter_at(
+    const CurveFollowed& c, double u, const BodyKinematics<OmegaLocal>& i,
+    const BodyKinematics<OmegaLocal>& j) {
+    const Vec3 c_u = c.curve.at(u).c_u;
+    const DisplacementMeasure along{c_u, c.P_i_local, c.P_j_local};
+    return {u, measured<Content::motion>(along, i, j, Theta{}).rate(0) / c_u.squaredNorm()};
+}
+
+/// The angle of a pose alone, given up to whole turns, with those that the rest of the pose determines.
+template <class Angle>
+double angle_of_pose(
+    const AdvanceTurned<Angle>& advance, double turned, const BodyKinematics<OmegaLocal>& i,
+    const BodyKinematics<OmegaLocal>& j) {
+    const double d = measured<Content::motion>(advance.displacement, i, j, Theta{}).value(0);
+    return TurnsSoFar::nearest(turned, advance.theta_of(d));
+}
+
+double angle_of_pose(
+    const GearTurned& gear, double turned, const BodyKinematics<OmegaLocal>& i,
+    const BodyKinematics<OmegaLocal>& j) {
+    const double other = measured<Content::motion>(gear.j, i, j, Theta{}).value(0);
+    return turned + 2.0 * std::numbers::pi * turns_of_mesh(other - gear.j.ratio * turned, gear.j.ratio);
+}
+
+}  // namespace
 
 void tell_turns(
     LinkPrimitive& primitive, Turns turns, double t, const BodyKinematics<OmegaLocal>& i,
     const BodyKinematics<OmegaLocal>& j) {
-    auto* screw = std::get_if<ScrewTurned>(&primitive);
-    if (screw == nullptr) { return; }
-    const auto angle = measured<Content::motion>(screw->angle, i, j, Theta{});
-    const double rate = angle.rate(0);
-    double expected = 0.0;
-    if (turns == Turns::of_motion && screw->so_far) {
-        const TurnsSoFar& before = *screw->so_far;
-        expected = before.theta + 0.5 * (before.rate + rate) * (t - before.t);
-    } else {
-        const double displacement = measured<Content::motion>(screw->displacement, i, j, Theta{}).value(0);
-        expected = screw->theta_0 + (displacement - screw->d_0) / screw->alpha;
-    }
-    const double theta = expected + std::remainder(angle.value(0) - expected, 2.0 * std::numbers::pi);
-    screw->so_far = TurnsSoFar{t, theta, rate};
+    std::visit(
+        [&](auto& p) {
+            using P = std::decay_t<decltype(p)>;
+            const bool follows = turns == Turns::of_motion;
+            if constexpr (std::is_same_v<P, CurveFollowed>) {
+                const Vec3 d = d_local_of(p, i, j);
+                const CountedAngle u =
+                    parameter_at(p, follows ? p.parameter(d, t) : p.curve.nearest(d), i, j);
+                p.so_far = TurnsSoFar{t, u.value, u.rate};
+                p.side = p.side_at(p.curve.at(u.value).c_u.normalized());
+            } else if constexpr (CountsTurns<P>) {
+                const CountedAngle angle = counted_angle(p, i, j);
+                double theta = 0.0;
+                if (follows && p.so_far) {
+                    const TurnsSoFar& before = *p.so_far;
+                    theta = TurnsSoFar::nearest(
+                        angle.value, before.theta + 0.5 * (before.rate + angle.rate) * (t - before.t));
+                } else {
+                    theta = angle_of_pose(p, angle.value, i, j);
+                }
+                p.so_far = TurnsSoFar{t, theta, angle.rate};
+            }
+        },
+        primitive);
 }
 
 std::vector<Link> with_drivers_joined(std::vector<Link> links) {

@@ -8,44 +8,137 @@
 
 #include "core/equations/system.hpp"
 #include "core/jets/drivers.hpp"
+#include "core/jets/followed.hpp"
 
 /// Constraint equations for the equations of motion: grouped by the pair of bodies that they link, without
 /// artificial coordinates (which have no mass).
 namespace jw {
 
-/// Angle of a screw, including whole turns, at a moment of a motion.
+/// Angle including whole turns, at a moment of a motion. Two directions determine their angle up to whole
+/// turns only; during a motion these are counted by the rate.
 struct TurnsSoFar {
     double t;      ///< [s]
     double theta;  ///< [rad]
     double rate;   ///< [rad/s]
+
+    /// An angle known up to whole turns [rad], with the turns nearest to `expected`.
+    static double nearest(double turned, double expected) {
+        return expected + std::remainder(turned - expected, 2.0 * std::numbers::pi);
+    }
+    double angle_at(double time, double turned) const { return nearest(turned, theta + rate * (time - t)); }
 };
 
-/// Screw without its coordinate θ: Φ = (d - d0) - α (θ - θ0) [m], with θ the angle from u_i to u_j.
-struct ScrewTurned {
+/// Screw or rack without its coordinate θ: Φ = (d - d0) - α (θ - θ0) [m], with θ the angle of its bodies.
+template <class Angle>
+struct AdvanceTurned {
     static constexpr int kEquations = 1;
     DisplacementMeasure displacement;
-    AngleMeasure angle;
+    Angle angle;
     double alpha;    ///< [m/rad]
     double d_0;      ///< [m]
     double theta_0;  ///< [rad]
-    /// Turns of the angle so far. Two directions determine their angle up to whole turns only. During a
-    /// motion these are counted from here by the rate; a pose alone has as many as fit its displacement best.
+    /// Turns of the angle so far; a pose alone has as many as fit its displacement best.
     std::optional<TurnsSoFar> so_far = std::nullopt;
 
     /// Φ [m] of an advance [m] and an angle known up to whole turns [rad] at time t [s].
-    double residual(double advanced, double turned, double t) const;
+    double residual(double advanced, double turned, double t) const {
+        const auto missing = [&](double theta) { return advanced - d_0 - alpha * (theta - theta_0); };
+        return so_far ? missing(so_far->angle_at(t, turned)) : residual_up_to_turns(missing(turned));
+    }
     /// Φ [m] of a pose alone, at most half a turn's displacement.
     double residual_up_to_turns(double phi) const {
         return std::remainder(phi, 2.0 * std::numbers::pi * alpha);
     }
+    /// θ that the displacement asks for [rad].
+    double theta_of(double advanced) const { return theta_0 + (advanced - d_0) / alpha; }
+};
+using ScrewTurned = AdvanceTurned<AngleMeasure>;
+using RackTurned = AdvanceTurned<Wheel>;
+
+/// Gear or belt without its coordinate θ: Φ = θ_j - ratio θ_i, the angles of its wheels up to whole turns of
+/// that of j [rad].
+struct GearTurned {
+    static constexpr int kEquations = 1;
+    Wheel i;
+    Wheel j;
+    /// Turns of θ_i so far; a pose alone has as many as fit θ_j best.
+    std::optional<TurnsSoFar> so_far = std::nullopt;
+
+    double residual(double turned_i, double turned_j, double t) const {
+        if (!so_far) { return residual_up_to_turns(turned_j - j.ratio * turned_i); }
+        return std::remainder(turned_j - j.ratio * so_far->angle_at(t, turned_i), 2.0 * std::numbers::pi);
+    }
+    double residual_up_to_turns(double phi) const {
+        constexpr double turn = 2.0 * std::numbers::pi;
+        return std::remainder(phi - turn * j.ratio * turns_of_mesh(phi, j.ratio), turn);
+    }
 };
 
-inline double ScrewTurned::residual(double advanced, double turned, double t) const {
-    const auto missing = [&](double theta) { return advanced - d_0 - alpha * (theta - theta_0); };
-    if (!so_far) { return residual_up_to_turns(missing(turned)); }
-    const double expected = so_far->theta + so_far->rate * (t - so_far->t);
-    return missing(expected + std::remainder(turned - expected, 2.0 * std::numbers::pi));
+/// A point of body j on a curve of body i, without its coordinate θ: the two components of d - c(θ) across
+/// the curve at its nearest point [m].
+struct CurveFollowed {
+    static constexpr int kEquations = 2;
+    Curve curve;
+    Vec3 P_i_local;
+    Vec3 P_j_local;
+    /// Axis along which the point is free, if that component is taken out by hand: then the curve has no
+    /// extent along it, and only the first row counts.
+    Vec3 free_axis = Vec3::Zero();
+    /// Parameter of the nearest point so far; a pose alone has that of the whole curve.
+    std::optional<TurnsSoFar> so_far = std::nullopt;
+    /// Direction of the first row so far. It goes on without turning about the curve.
+    Vec3 side = Vec3::Zero();
+
+    /// Direction of the first row where the curve has this tangent.
+    Vec3 side_at(const Vec3& tangent) const {
+        if (!free_axis.isZero(0.0)) { return free_axis.cross(tangent); }
+        const Vec3 across = side - side.dot(tangent) * tangent;
+        constexpr double clear = 0.3;  // far from parallel to the curve
+        return across.norm() > clear ? Vec3(across.normalized()) : perpendicular_to(tangent);
+    }
+    double parameter(const Vec3& d_local, double t) const {
+        if (!so_far) { return curve.nearest(d_local); }
+        return followed(curve, d_local, so_far->theta + so_far->rate * (t - so_far->t));
+    }
+    double residual_up_to_turns(double phi) const { return phi; }
+};
+
+/// d in the frame of body i [m].
+template <class C>
+Vec3 d_local_of(const CurveFollowed& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j) {
+    const Vec3 d = i.A.transpose() * (j.r + j.A * c.P_j_local - i.r) - c.P_i_local;
+    return d - c.free_axis.dot(d) * c.free_axis;
 }
+
+/// The rows of a point on a curve, along directions that follow the curve without turning about it: neither
+/// depends on θ to first order, on the curve or beside it.
+template <Content K, class C>
+auto rows_of(const CurveFollowed& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, double t) {
+    const Curve::Point at_u = c.curve.at(c.parameter(d_local_of(c, i, j), t));
+    const Vec3 tangent = at_u.c_u.normalized();
+    const Vec3 a = c.side_at(tangent);
+    const Vec3 b = tangent.cross(a);
+    const auto d = vector_between<K>(i, c.P_i_local, j, c.P_j_local);
+    auto jet = stacked(dot(arm<K, kBodyI>(i, a), d), dot(arm<K, kBodyI>(i, b), d));
+    jet.value(0) -= a.dot(at_u.c);
+    jet.value(1) -= b.dot(at_u.c);
+    if constexpr (K == Content::motion) {
+        // the directions turn towards the tangent as the curve bends
+        const double size = at_u.c_u.norm();
+        const double along = dot(arm<K, kBodyI>(i, tangent), d).rate(0);
+        const Vec3 off = d_local_of(c, i, j) - at_u.c;
+        const double rate = along / (size - off.dot(at_u.c_uu) / size);
+        jet.bias(0) -= a.dot(at_u.c_uu) / size * along * rate;
+        jet.bias(1) -= b.dot(at_u.c_uu) / size * along * rate;
+    }
+    return jet;
+}
+
+/// True for equations whose angles have turns that must be counted.
+template <class P>
+concept CountsTurns = requires(const P& primitive) {
+    primitive.so_far;
+};
 
 /// Driver: a measure minus a function of time. θ of a screw is driven as its angle.
 struct Driven {
@@ -54,7 +147,9 @@ struct Driven {
     TimeFunction function;
 };
 
-using LinkPrimitive = std::variant<N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewTurned, Driven>;
+using LinkPrimitive = std::variant<
+    N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewTurned, RackTurned, GearTurned, CurveFollowed,
+    Driven>;
 
 /// Equations of one primitive between two bodies, in the rows of its link from `first_row` on.
 struct LinkEquation {
@@ -84,13 +179,16 @@ std::vector<Link> links_of(const Mechanism& mechanism);
 /// Moves the rows of drivers into links between the same bodies where these have room.
 std::vector<Link> with_drivers_joined(std::vector<Link> links);
 
-/// Φ without whole turns of a screw, which a pose does not determine.
+/// True if the turns of an equation's angle are counted.
+bool counts_turns(const LinkPrimitive& primitive);
+
+/// Φ without whole turns, which a pose does not determine.
 double up_to_turns(const LinkPrimitive& primitive, double phi);
 
-/// Sets the turns of a screw at `t` [s] from bodies with their motion set; does nothing for other primitives.
-/// Source of a screw's turns: at a start the displacement determines them; after that they are counted by the
-/// rates at both ends of a step.
+/// Source of turns: at a start the pose determines them; after that they are counted by the rates at both
+/// ends of a step.
 enum class Turns { of_start, of_motion };
+/// Sets the turns at `t` [s] from bodies with their motion set; does nothing for primitives that have none.
 void tell_turns(
     LinkPrimitive& primitive, Turns turns, double t, const BodyKinematics<OmegaLocal>& i,
     const BodyKinematics<OmegaLocal>& j);
@@ -103,11 +201,19 @@ void visit_rows(
     std::visit(
         [&](const auto& p) {
             using P = std::decay_t<decltype(p)>;
-            if constexpr (std::is_same_v<P, ScrewTurned>) {
+            if constexpr (std::is_same_v<P, ScrewTurned> || std::is_same_v<P, RackTurned>) {
                 const auto displacement = measured<K>(p.displacement, i, j, Theta{});
                 const auto angle = measured<K>(p.angle, i, j, Theta{});
                 auto jet = displacement - scaled(p.alpha, angle);
                 jet.value(0) = p.residual(displacement.value(0), angle.value(0), t);
+                f(jet, 0.0, 0.0);
+            } else if constexpr (std::is_same_v<P, CurveFollowed>) {
+                f(rows_of<K>(p, i, j, t), 0.0, 0.0);
+            } else if constexpr (std::is_same_v<P, GearTurned>) {
+                const auto angle_i = measured<K>(p.i, i, j, Theta{});
+                const auto angle_j = measured<K>(p.j, i, j, Theta{});
+                auto jet = angle_j - scaled(p.j.ratio, angle_i);
+                jet.value(0) = p.residual(angle_i.value(0), angle_j.value(0), t);
                 f(jet, 0.0, 0.0);
             } else if constexpr (std::is_same_v<P, Driven>) {
                 std::visit(

@@ -200,8 +200,23 @@ bool ExplicitIntegrator::is_contradicted() const {
     return options_.project && verdict_.left_out > std::max(kContradicts, options_.tolerance);
 }
 
+/// Longest step in which every turn is counted correctly, at the rates and accelerations of its start [s].
+double ExplicitIntegrator::longest_counted_step() {
+    probed_.resize(at(equations_->bodies()));
+    equations_->motion_of_bodies(t_, y_.data(), stages_.front().data(), probed_);
+    double longest = std::numeric_limits<double>::infinity();
+    for (const ProbedBody& body : probed_) {
+        const double omega = body.omega.norm();
+        // ω h + α h² / 2 = kCountedTurn
+        const double root = std::sqrt(omega * omega + 2.0 * kCountedTurn * body.alpha.norm());
+        if (root > 0.0) { longest = std::min(longest, 2.0 * kCountedTurn / (omega + root)); }
+    }
+    return longest;
+}
+
 /// Longest step allowed by rotations and harmonics [s].
 double ExplicitIntegrator::longest_step() {
+    if (equations_->counts_turns()) { return std::min(options_.longest_step, longest_counted_step()); }
     const double most = std::min(options_.most_turn, equations_->most_turn());
     if (!std::isfinite(most)) { return options_.longest_step; }
     const double omega = fastest_turn(*equations_, y_.data(), flat_);

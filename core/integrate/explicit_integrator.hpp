@@ -42,6 +42,7 @@ private:
     bool is_off_constraints() const;  ///< whether the end of the step violates the kept rows
     bool is_contradicted() const;     ///< whether rows left out are violated at the start of the step
     double longest_step();
+    double longest_counted_step();
     bool is_fixed() const { return options_.fixed_step > 0.0; }
     void project(double t, std::vector<double>& y);
     RowsVerdict evaluate(double t, std::vector<double>& y, std::vector<double>& y_dot);
@@ -49,6 +50,7 @@ private:
     void correct_end(double t);
 
     MotionEquations* equations_;
+    std::vector<ProbedBody> probed_;
     const RungeKuttaTable* table_;
     IntegrationOptions options_;
     IntegrationCounts counts_;

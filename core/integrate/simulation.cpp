@@ -320,7 +320,8 @@ Motion Simulation::acceleration(double t, const std::vector<double>& y) {
     std::size_t theta = 0;
     for (const Joint& joint : scene_.mechanism.joints) {
         if (joint.type->artificial == 0) { continue; }
-        out.theta_dot[theta++] = angle_acceleration(joint, state, motion, out);
+        out.theta_dot[theta] = artificial_acceleration(joint, state, motion, out, state.theta[theta]);
+        ++theta;
     }
     return out;
 }

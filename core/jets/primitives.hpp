@@ -3,7 +3,7 @@
 #include <numbers>
 #include <variant>
 
-#include "core/jets/vector_jet.hpp"
+#include "core/jets/wheels_and_curves.hpp"
 
 /// The primitive constraints: each is its data and one line. Value, Jacobian in every coordinate choice
 /// and γ follow from the line (vector_jet.hpp).
@@ -242,18 +242,13 @@ struct ScrewAngle {
     }
 };
 
-using Primitive = std::variant<N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewAdvance, ScrewAngle>;
+using Primitive =
+    std::variant<N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewAdvance, ScrewAngle, Wheel, OnCurve>;
 
 template <Content K, class C>
 auto equations(
     const N1& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
     return dot(arm<K, kBodyI>(i, c.s_i_local), arm<K, kBodyJ>(j, c.s_j_local));
-}
-
-template <Content K, class C>
-auto vector_between(
-    const BodyKinematics<C>& i, const Vec3& B_i_local, const BodyKinematics<C>& j, const Vec3& B_j_local) {
-    return point<K, kBodyJ>(j, B_j_local) - point<K, kBodyI>(i, B_i_local);
 }
 
 template <Content K, class C>

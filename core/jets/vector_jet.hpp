@@ -235,6 +235,13 @@ Jet<C, K, 3, S> point(const BodyKinematics<C>& body, const Vec3& s_local) {
     return out;
 }
 
+/// d from a point of body i to a point of body j [m].
+template <Content K, class C>
+auto vector_between(
+    const BodyKinematics<C>& i, const Vec3& B_i_local, const BodyKinematics<C>& j, const Vec3& B_j_local) {
+    return point<K, kBodyJ>(j, B_j_local) - point<K, kBodyI>(i, B_i_local);
+}
+
 /// Euler parameters p of body i (S = kBodyI) or j.
 template <Content K, unsigned S, class C>
 Jet<C, K, 4, S> parameters(const BodyKinematics<C>& body) {

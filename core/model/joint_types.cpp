@@ -20,6 +20,22 @@ Primitive parallel_distance(const JointGeometry& g, ParallelForm form) {
     return N2Pair{a, g.s_i_local.normalized().cross(a), g.P_i_local, g.P_j_local};
 }
 
+Wheel wheel(WheelLine line, bool of_j, const JointGeometry& g, double ratio) {
+    return {
+        line,
+        of_j,
+        g.s_i_local.normalized(),
+        g.s_j_local.normalized(),
+        of_j ? g.u_j_local : g.u_i_local,
+        g.P_i_local,
+        g.P_j_local,
+        ratio};
+}
+
+OnCurve on_curve(int component, const JointGeometry& g) {
+    return {Vec3::Unit(component), g.P_i_local, g.P_j_local, component_of(g.curve, component)};
+}
+
 }  // namespace
 
 Primitive primitive_of(Role role, const JointGeometry& g, ParallelForm form) {
@@ -33,10 +49,19 @@ Primitive primitive_of(Role role, const JointGeometry& g, ParallelForm form) {
         case Role::sides_perpendicular: return N1{g.h_i_local, g.h_j_local};
         case Role::length: return Distance{g.P_i_local, g.P_j_local, g.length};
         case Role::screw_advance:
+        case Role::rack_advance:
             return ScrewAdvance{
                 g.s_i_local.normalized(), g.P_i_local, g.P_j_local, g.alpha, g.d_0, g.theta_0};
         case Role::screw_angle:
             return ScrewAngle{g.s_i_local.normalized(), g.u_i_local, g.u_j_local, g.screw_angle_form};
+        case Role::wheel_i: return wheel(WheelLine::centres, false, g, 1.0);
+        case Role::wheel_j: return wheel(WheelLine::centres, true, g, g.ratio);
+        case Role::bevel_i: return wheel(WheelLine::normal, false, g, 1.0);
+        case Role::bevel_j: return wheel(WheelLine::normal, true, g, g.ratio);
+        case Role::curve_x: return on_curve(0, g);
+        case Role::curve_y: return on_curve(1, g);
+        case Role::curve_z: return on_curve(2, g);
+        case Role::rack_angle: return wheel(WheelLine::rack, true, g, 1.0);
     }
     throw std::invalid_argument("primitive_of: no such role");
 }

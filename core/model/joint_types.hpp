@@ -24,6 +24,15 @@ enum class Role {
     length,                    ///< d·d = L²
     screw_advance,             ///< r of slide 11
     screw_angle,               ///< θ of slide 11
+    wheel_i,                   ///< θ, from the line of centres to u_i
+    wheel_j,                   ///< ratio θ, to u_j
+    bevel_i,                   ///< θ, from the common normal of the axes to u_i
+    bevel_j,                   ///< ratio θ, to u_j
+    rack_advance,              ///< r of slide 11 along a rack
+    rack_angle,                ///< θ, from the direction of the rack to u_j
+    curve_x,                   ///< x of a point in the frame of the curve's body, and of the curve
+    curve_y,
+    curve_z,
 };
 
 /// Vectors of a joint's geometry, a bit each.
@@ -60,12 +69,24 @@ inline constexpr std::array kRoles{
     RoleTraits{Role::length, "d", 1, kD, Dimension::square},
     RoleTraits{Role::screw_advance, "r", 1, kAxisI | kD, Dimension::length},
     RoleTraits{Role::screw_angle, "θ", 1, kAxisI | kSidesU, Dimension::none},
+    RoleTraits{Role::wheel_i, "θ i", 1, kAxisI | kSidesU | kD, Dimension::length},
+    RoleTraits{Role::wheel_j, "θ j", 1, kAxisJ | kSidesU | kD, Dimension::length},
+    RoleTraits{Role::bevel_i, "θ i", 1, kAxisI | kAxisJ | kSidesU, Dimension::none},
+    RoleTraits{Role::bevel_j, "θ j", 1, kAxisI | kAxisJ | kSidesU, Dimension::none},
+    RoleTraits{Role::rack_advance, "r", 1, kAxisI | kD, Dimension::length},
+    RoleTraits{Role::rack_angle, "θ", 1, kAxisI | kAxisJ | kSidesU, Dimension::none},
+    RoleTraits{Role::curve_x, "c x", 1, kD, Dimension::length},
+    RoleTraits{Role::curve_y, "c y", 1, kD, Dimension::length},
+    RoleTraits{Role::curve_z, "c z", 1, kD, Dimension::length},
 };
 
 constexpr const RoleTraits& traits_of(Role role) { return kRoles[static_cast<std::size_t>(role)]; }
 static_assert(
     std::ranges::all_of(kRoles, [](const RoleTraits& r) { return &traits_of(r.role) == &r; }),
     "kRoles is in the order of Role");
+
+/// Its equations contain the joint's artificial coordinate.
+constexpr bool has_theta(Role role) { return role >= Role::screw_advance; }
 
 constexpr bool is_parallel(Role role) { return traits_of(role).independent == 2; }
 
@@ -78,15 +99,20 @@ struct JointGeometry {
     Vec3 h_i_local = Vec3::UnitX();  ///< side vector, perpendicular to the axis
     Vec3 h_j_local = Vec3::UnitY();
     /// The angle about the axis is measured from u_i to u_j (unit, perpendicular to the axis; the u of
-    /// slide 11); u_i = u_j at the start pose when the joint was given by a global axis.
+    /// slide 11); u_i = u_j at the start pose when the joint was given by a global axis. Those of wheels lie
+    /// on their line at the same time.
     Vec3 u_i_local = Vec3::UnitX();
     Vec3 u_j_local = Vec3::UnitX();
     double length = 0.0;   ///< [m]
-    double alpha = 0.0;    ///< screw: advance per radian [m/rad]
-    double d_0 = 0.0;      ///< screw [m]
-    double theta_0 = 0.0;  ///< screw [rad]
+    double alpha = 0.0;    ///< screw: advance per radian [m/rad]; rack: the radius of its wheel
+    double d_0 = 0.0;      ///< screw and rack [m]
+    double theta_0 = 0.0;  ///< screw and rack [rad]
+    double ratio = 0.0;    ///< gear and belt: turns of the wheel of j in one of i, from the line of centres
+    /// Gear and belt, if they were given [m]; negative in j: the inner side of a ring, or a crossed belt.
+    std::array<double, 2> radii{};
+    Curve curve;  ///< in the axes of body i, from P_i on
     ScrewAngleForm screw_angle_form = ScrewAngleForm::rotation;
-    /// Screw, start estimate of the artificial coordinate and its rate; absent: measured from u_i to u_j.
+    /// Start estimate of the artificial coordinate and its rate; absent: measured at the start pose.
     std::optional<double> theta_start;      ///< [rad]
     std::optional<double> theta_dot_start;  ///< [rad/s]
 
@@ -122,6 +148,11 @@ enum class JointGlyph {
     rod_from_cross_to_ball,
     bead_on_bar,
     bead_on_plate,
+    gear,
+    bevel,
+    belt,
+    rack,
+    bead_on_curve,
 };
 
 /// Everything that the program knows of a joint: nothing else depends on its name.
@@ -145,6 +176,8 @@ struct JointType {
     }
     /// The angle about the axis is free: it can be driven, claimed and plotted, and sides define its zero.
     constexpr bool has_angle() const { return uses(Role::axes_parallel) && !uses(Role::sides_perpendicular); }
+    /// Its sides are the u from which an angle is measured, not the h of an n1.
+    constexpr bool has_marks() const { return has_angle() || uses(kSidesU); }
     /// The displacement along the axis is free.
     constexpr bool has_displacement() const { return uses(Role::distance_parallel); }
     /// Its points keep a distance.
@@ -176,6 +209,10 @@ inline constexpr std::array p2{Role::distance_parallel};
 inline constexpr std::array revolute_spherical{Role::distance_perpendicular, Role::length};
 inline constexpr std::array revolute_revolute{
     Role::axes_parallel, Role::distance_perpendicular, Role::length};
+inline constexpr std::array gear{Role::wheel_i, Role::wheel_j};
+inline constexpr std::array bevel{Role::bevel_i, Role::bevel_j};
+inline constexpr std::array rack{Role::rack_advance, Role::rack_angle};
+inline constexpr std::array curve{Role::curve_x, Role::curve_y, Role::curve_z};
 inline constexpr std::array revolute_revolute_crossed{
     Role::axes_perpendicular, Role::distance_perpendicular, Role::distance_perpendicular_j, Role::length};
 }  // namespace roles
@@ -220,6 +257,12 @@ inline constexpr std::array kJointTypes{
               JointGlyph::rod_from_cross_to_ball, "book ch. 7, composite"},
     JointType{"point-on-line", roles::p2, 4, motions::none, 0, JointGlyph::bead_on_bar, "slide 3; book ch. 7"},
     JointType{"point-in-plane", roles::n2, 5, motions::none, 0, JointGlyph::bead_on_plate, "slide 2; book ch. 7"},
+    // wheels that roll on each other, on a belt or on a rack; other joints hold their axes
+    JointType{"gear", roles::gear, 5, motions::none, 1, JointGlyph::gear, "slide 11, parallel axes"},
+    JointType{"bevel-gear", roles::bevel, 5, motions::none, 1, JointGlyph::bevel, "slide 11, crossed axes"},
+    JointType{"belt", roles::gear, 5, motions::none, 1, JointGlyph::belt, "slide 11, parallel axes"},
+    JointType{"rack", roles::rack, 5, motions::none, 1, JointGlyph::rack, "slide 11"},
+    JointType{"curve", roles::curve, 4, motions::none, 1, JointGlyph::bead_on_curve, "slides 6, 11"},
 };
 // clang-format on
 

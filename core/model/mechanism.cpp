@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/elementary/elementary.hpp"
+#include "core/jets/body_kinematics.hpp"
+#include "core/jets/followed.hpp"
 
 namespace jw {
 
@@ -32,7 +35,8 @@ State start_state(const Mechanism& mechanism) {
     }
     for (const Joint& joint : mechanism.joints) {
         if (joint.type->artificial == 0) { continue; }
-        state.theta.push_back(joint.geometry.theta_start.value_or(relative_angle(joint, state)));
+        const auto& given = joint.geometry.theta_start;
+        state.theta.push_back(given ? *given : artificial_angle(joint, state));
     }
     return state;
 }
@@ -52,11 +56,13 @@ Motion start_motion(const Mechanism& mechanism) {
         motion.r_dot[b] = mechanism.bodies[b].r_dot;
         motion.omega_local[b] = mechanism.bodies[b].omega_local;
     }
+    const State start = motion.theta_dot.empty() ? State{} : start_state(mechanism);
     std::size_t theta = 0;
     for (const Joint& joint : mechanism.joints) {
         if (joint.type->artificial == 0) { continue; }
         const auto& given = joint.geometry.theta_dot_start;
-        motion.theta_dot[theta++] = given ? *given : angle_rate(joint, start_state(mechanism), motion);
+        motion.theta_dot[theta] = given ? *given : artificial_rate(joint, start, motion, start.theta[theta]);
+        ++theta;
     }
     return motion;
 }
@@ -101,17 +107,6 @@ double relative_angle(const Joint& joint, const State& state) {
     return elementary::atan2(u_i.cross(u_j).dot(axis.s_i), u_i.dot(u_j));
 }
 
-double screw_angle(const Joint& joint, const State& state) {
-    const double angle = relative_angle(joint, state);
-    const JointGeometry& g = joint.geometry;
-    if (g.alpha == 0.0) { return angle; }
-    const PlacedAxis axis(joint, state);
-    const Vec3 d = state.r[axis.j] + axis.A_j * g.P_j_local - state.r[axis.i] - axis.A_i * g.P_i_local;
-    const double by_advance = g.theta_0 + (axis.s_i.dot(d) - g.d_0) / g.alpha;
-    constexpr double turn = 2.0 * std::numbers::pi;
-    return angle + turn * std::round((by_advance - angle) / turn);
-}
-
 double angle_rate(const Joint& joint, const State& state, const Motion& motion) {
     const PlacedAxis axis(joint, state);
     return axis.s_i.dot(axis.relative(motion));
@@ -122,6 +117,161 @@ double angle_acceleration(
     const PlacedAxis axis(joint, state);
     const Vec3 omega_i = axis.A_i * motion.omega_local[axis.i];
     return axis.s_i.dot(axis.relative(acceleration)) + omega_i.cross(axis.s_i).dot(axis.relative(motion));
+}
+
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// Wheel whose angle a joint's θ is; none if it is the angle between its bodies.
+std::optional<Wheel> first_wheel(const Joint& joint) {
+    for (const Role role : {Role::wheel_i, Role::bevel_i, Role::rack_angle}) {
+        if (!joint.type->uses(role)) { continue; }
+        return std::get<Wheel>(primitive_of(role, joint.geometry, joint.parallel_form));
+    }
+    return std::nullopt;
+}
+
+/// Wheel that follows it; none if the joint has only one.
+std::optional<Wheel> second_wheel(const Joint& joint) {
+    for (const Role role : {Role::wheel_j, Role::bevel_j}) {
+        if (!joint.type->uses(role)) { continue; }
+        return std::get<Wheel>(primitive_of(role, joint.geometry, joint.parallel_form));
+    }
+    return std::nullopt;
+}
+
+BodyKinematics<OmegaLocal> body_at(int body, const State& state) {
+    return kinematics_at<OmegaLocal>(state.r[at(body)], state.p[at(body)]);
+}
+
+BodyKinematics<OmegaLocal> body_at(int body, const State& state, const Motion& motion) {
+    const std::size_t b = at(body);
+    return kinematics_at<OmegaLocal>(state.r[b], state.p[b], motion.r_dot[b], motion.omega_local[b]);
+}
+
+bool is_on_curve(const Joint& joint) { return joint.type->uses(Role::curve_x); }
+
+/// d in the frame of body i [m].
+Vec3 d_local(const Joint& joint, const State& state) {
+    const auto i = body_at(joint.body_i, state);
+    const auto j = body_at(joint.body_j, state);
+    const JointGeometry& g = joint.geometry;
+    return i.A.transpose() * (j.r + j.A * g.P_j_local - i.r) - g.P_i_local;
+}
+
+double angle_of_wheel(const Wheel& wheel, const Joint& joint, const State& state) {
+    return measured<Content::jacobian>(
+               wheel, body_at(joint.body_i, state), body_at(joint.body_j, state), Theta{})
+        .value(0);
+}
+
+}  // namespace
+
+double artificial_angle(const Joint& joint, const State& state) {
+    if (is_on_curve(joint)) { return joint.geometry.curve.nearest(d_local(joint, state)); }
+    const std::optional<Wheel> wheel = first_wheel(joint);
+    return wheel ? angle_of_wheel(*wheel, joint, state) : relative_angle(joint, state);
+}
+
+double artificial_angle_near(const Joint& joint, const State& state, double expected) {
+    if (is_on_curve(joint)) { return followed(joint.geometry.curve, d_local(joint, state), expected); }
+    return expected + std::remainder(artificial_angle(joint, state) - expected, kTurn);
+}
+
+double artificial_angle_with_turns(const Joint& joint, const State& state) {
+    const double angle = artificial_angle(joint, state);
+    const JointGeometry& g = joint.geometry;
+    if (const std::optional<Wheel> other = second_wheel(joint)) {
+        return angle + kTurn * turns_of_mesh(angle_of_wheel(*other, joint, state) - g.ratio * angle, g.ratio);
+    }
+    if (g.alpha == 0.0 || is_on_curve(joint)) { return angle; }
+    const PlacedAxis axis(joint, state);
+    const Vec3 d = state.r[axis.j] + axis.A_j * g.P_j_local - state.r[axis.i] - axis.A_i * g.P_i_local;
+    const double by_advance = g.theta_0 + (axis.s_i.dot(d) - g.d_0) / g.alpha;
+    return angle + kTurn * std::round((by_advance - angle) / kTurn);
+}
+
+namespace {
+
+/// Linear part of the acceleration of a measure whose jet is `linear`.
+template <class J>
+double part_of(const J& linear, const Joint& joint, const Motion& acceleration) {
+    const auto part = [&](const auto& block, int body) {
+        return block.template leftCols<3>().row(0).dot(acceleration.r_dot[at(body)]) +
+               block.template rightCols<3>().row(0).dot(acceleration.omega_local[at(body)]);
+    };
+    return part(linear.block_i, joint.body_i) + part(linear.block_j, joint.body_j);
+}
+
+/// Rate of wᵀ d_local for a vector w, or its acceleration, if that is given.
+double along_curve(
+    const Joint& joint, const Vec3& w, const State& state, const Motion& motion,
+    const Motion* acceleration = nullptr) {
+    const DisplacementMeasure measure{w, joint.geometry.P_i_local, joint.geometry.P_j_local};
+    const auto i = body_at(joint.body_i, state, motion);
+    const auto j = body_at(joint.body_j, state, motion);
+    const auto moving = measured<Content::motion>(measure, i, j, Theta{});
+    if (acceleration == nullptr) { return moving.rate(0); }
+    return part_of(measured<Content::jacobian>(measure, i, j, Theta{}), joint, *acceleration) +
+           moving.bias(0);
+}
+
+/// θ̇ and θ̈ of a point that stays on its curve: c_uᵀ (ḋ - c_u θ̇) = 0.
+double rate_on_curve(
+    const Joint& joint, const State& state, const Motion& motion, const Motion* acceleration, double theta) {
+    const Curve& curve = joint.geometry.curve;
+    const Curve::Point at_u = curve.at(curve.nearest(d_local(joint, state), theta));
+    const double square = at_u.c_u.squaredNorm();
+    const double rate = along_curve(joint, at_u.c_u, state, motion) / square;
+    if (acceleration == nullptr) { return rate; }
+    return (along_curve(joint, at_u.c_u, state, motion, acceleration) -
+            at_u.c_u.dot(at_u.c_uu) * rate * rate) /
+           square;
+}
+
+}  // namespace
+
+double artificial_rate(const Joint& joint, const State& state, const Motion& motion, double theta) {
+    if (is_on_curve(joint)) { return rate_on_curve(joint, state, motion, nullptr, theta); }
+    const std::optional<Wheel> wheel = first_wheel(joint);
+    if (!wheel) { return angle_rate(joint, state, motion); }
+    const double rate =
+        measured<Content::motion>(
+            *wheel, body_at(joint.body_i, state, motion), body_at(joint.body_j, state, motion), Theta{})
+            .rate(0);
+    return std::isfinite(rate) ? rate : 0.0;
+}
+
+double artificial_acceleration(
+    const Joint& joint, const State& state, const Motion& motion, const Motion& acceleration, double theta) {
+    if (is_on_curve(joint)) { return rate_on_curve(joint, state, motion, &acceleration, theta); }
+    const std::optional<Wheel> wheel = first_wheel(joint);
+    if (!wheel) { return angle_acceleration(joint, state, motion, acceleration); }
+    const auto i = body_at(joint.body_i, state, motion);
+    const auto j = body_at(joint.body_j, state, motion);
+    return part_of(measured<Content::jacobian>(*wheel, i, j, Theta{}), joint, acceleration) +
+           measured<Content::motion>(*wheel, i, j, Theta{}).bias(0);
+}
+
+int turns_of_mesh(double turned, double ratio) {
+    // wheels have fewer teeth, so that every pose is reached within as many turns
+    constexpr int most = 1000;
+    // [rad] of rounding that another turn has to save
+    constexpr double per_turn = 1e-6;
+    int best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int n = 0; n <= most && per_turn * n < least; ++n) {
+        for (const int k : {n, -n}) {
+            const double left = std::remainder(turned - kTurn * ratio * k, kTurn);
+            const double cost = std::abs(left) + per_turn * n;
+            if (cost < least) {
+                least = cost;
+                best = k;
+            }
+        }
+    }
+    return best;
 }
 
 namespace {

@@ -72,7 +72,7 @@ struct Mechanism {
     int thetas_count() const;
 };
 
-/// Positions: one r [m] and p per body, one θ [rad] per screw joint, in the order of the mechanism.
+/// Positions: one r [m] and p per body, one θ [rad] per joint that has one, in the order of the mechanism.
 struct State {
     std::vector<Vec3> r;
     std::vector<Vec4> p;
@@ -86,9 +86,9 @@ struct Motion {
     std::vector<double> theta_dot;
 };
 
-/// The state as the mechanism's author gave it; θ of a screw is measured from its u vectors unless given.
+/// The state as the mechanism's author gave it; θ is measured unless given.
 State start_state(const Mechanism& mechanism);
-/// Velocities as given; θ̇ of a screw is s_i·(ω_j - ω_i) unless given.
+/// Velocities as given; θ̇ is that of the bodies unless given.
 Motion start_motion(const Mechanism& mechanism);
 /// All zero, of the mechanism's size.
 Motion zero_motion(const Mechanism& mechanism);
@@ -96,15 +96,30 @@ Motion zero_motion(const Mechanism& mechanism);
 /// Right-handed angle from u_i to u_j about s_i of a joint at `state`, in (-π, π].
 double relative_angle(const Joint& joint, const State& state);
 
-/// θ of a screw: this angle with the turns that its advance determines [rad].
-double screw_angle(const Joint& joint, const State& state);
-
-/// Rate of either, s_iᵀ (ω_j - ω_i) [rad/s].
+/// Its rate, s_iᵀ (ω_j - ω_i) [rad/s].
 double angle_rate(const Joint& joint, const State& state, const Motion& motion);
 
 /// s_iᵀ (ω̇_j - ω̇_i) + (ω_i x s_i)ᵀ (ω_j - ω_i) [rad/s²]. @param acceleration  ω̇' instead of ω'
 double angle_acceleration(
     const Joint& joint, const State& state, const Motion& motion, const Motion& acceleration);
+
+/// Angle that the artificial coordinate of a joint follows [rad]: from u_i to u_j of a screw, from its line
+/// to u of the first wheel of wheels, in (-π, π]; on a curve, the parameter of its nearest point.
+double artificial_angle(const Joint& joint, const State& state);
+/// The same nearest to an expected value: with its turns, or by Newton's method along the curve.
+double artificial_angle_near(const Joint& joint, const State& state, double expected);
+/// The same with the turns that the pose determines: by the advance of a screw or a rack, by the other wheel
+/// of a gear. Of those that differ by whole turns of both wheels, that nearest to 0.
+double artificial_angle_with_turns(const Joint& joint, const State& state);
+/// Its rate where it is `theta` [rad/s]; 0 where the line of wheels has no direction.
+double artificial_rate(const Joint& joint, const State& state, const Motion& motion, double theta);
+/// [rad/s²] @param acceleration  ω̇' and r̈ instead of ω' and ṙ
+double artificial_acceleration(
+    const Joint& joint, const State& state, const Motion& motion, const Motion& acceleration, double theta);
+
+/// Whole turns k of the first wheel after which the second has turned by `turned` less ratio 2π k up to whole
+/// turns of its own: the smallest for which this leaves the least.
+int turns_of_mesh(double turned, double ratio);
 
 /// The joint's measures for drivers and quantities.
 AngleMeasure angle_of(const Joint& joint);

@@ -18,16 +18,18 @@ Mat3 rotation_of(const Body& body);
 struct JointNeeds {
     explicit JointNeeds(const JointType& type)
         : two_points(!type.uses(Role::same_point)),
-          points(type.uses(kPoints) || type.uses(kD)),
-          arms(type.uses(Role::axes_perpendicular)),
+          points(type.uses(kPoints) || type.uses(kD) || type.uses(Role::bevel_i)),
+          right_angle(type.uses(Role::axes_perpendicular) || type.uses(Role::rack_angle)),
+          arms(right_angle || type.uses(Role::bevel_i)),
           axis_j(type.uses(kAxisJ)),
           axis(type.uses(kAxisI)),
-          sides(type.uses(kSidesH) || type.has_angle()) {}
+          sides(type.uses(kSidesH) || type.has_marks()) {}
 
-    bool two_points;  ///< the points of i and j need not coincide
-    bool points;
-    bool arms;    ///< axes of the two bodies are perpendicular, not parallel
-    bool axis_j;  ///< a vector in body j too
+    bool two_points;   ///< the points of i and j need not coincide
+    bool points;       ///< bevel gears: only for pictures
+    bool right_angle;  ///< the vectors of the two bodies are perpendicular
+    bool arms;         ///< they are not parallel
+    bool axis_j;       ///< a vector in body j too
     bool axis;
     bool sides;
 };
@@ -50,6 +52,13 @@ struct BodyPair {
     Vec3 axis_i(const JointGeometry& geometry) const;
 };
 
+/// The line of a joint's wheels at the start pose, global: a unit vector perpendicular to the axes of its
+/// wheels, or none if there is no such line.
+std::optional<Vec3> wheel_line(const BodyPair& pair, const JointType& type, const JointGeometry& geometry);
+
+/// Sides of wheels: both lie on their line at the start.
+void set_marks(const BodyPair& pair, const Vec3& line, JointGeometry& geometry);
+
 /// Sides of a joint whose axes are set, from one unit vector perpendicular to that of i: u_i = u_j if the
 /// joint has an angle, otherwise h_j = axis × h_i. If the axes are not parallel at the start, that of j is
 /// first turned onto that of i in the shortest way.
@@ -58,6 +67,8 @@ void set_sides(const BodyPair& pair, const JointType& type, const Vec3& side, Jo
 
 /// Angle from u_i to u_j at the start, or the estimate that was given [rad].
 double start_angle(const BodyPair& pair, const JointGeometry& geometry);
+/// Angle that θ of a joint follows at the start, or the estimate that was given [rad].
+double start_theta(const BodyPair& pair, const JointType& type, const JointGeometry& geometry);
 /// s_i·d at the start [m].
 double start_displacement(const BodyPair& pair, const JointGeometry& geometry);
 

@@ -19,7 +19,10 @@ Mechanism scaled(Mechanism mechanism, double factor) {
     }
     for (Joint& joint : mechanism.joints) {
         JointGeometry& g = joint.geometry;
-        for (double* length : {&g.length, &g.alpha, &g.d_0}) { *length *= factor; }
+        for (double* length : {&g.length, &g.alpha, &g.d_0, &g.radii[0], &g.radii[1]}) { *length *= factor; }
+        g.curve.constant *= factor;
+        g.curve.linear *= factor;
+        for (Curve::Harmonic& h : g.curve.harmonics) { h = {factor * h.cos, factor * h.sin}; }
         g.P_i_local *= factor;
         g.P_j_local *= factor;
     }

@@ -44,8 +44,9 @@ std::pair<State, Motion> unpacked(const Mechanism& mechanism, std::span<const in
     std::size_t theta = 0;
     for (const Joint& joint : mechanism.joints) {
         if (joint.type->artificial == 0) { continue; }
-        state.theta[theta] = screw_angle(joint, state);
-        motion.theta_dot[theta++] = angle_rate(joint, state, motion);
+        state.theta[theta] = artificial_angle_with_turns(joint, state);
+        motion.theta_dot[theta] = artificial_rate(joint, state, motion, state.theta[theta]);
+        ++theta;
     }
     return out;
 }

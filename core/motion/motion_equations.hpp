@@ -103,6 +103,9 @@ public:
     /// Largest rotation of a body within a step for which the choice of that rule stays valid and turns are
     /// counted correctly [rad].
     virtual double most_turn() const { return std::numeric_limits<double>::infinity(); }
+    /// True if turns are counted by the rates at the start of a step: then no body may turn by more than
+    /// kCountedTurn in it.
+    virtual bool counts_turns() const { return false; }
     /// Smallest pivot of the last factorisation, by `evaluate` or `project`; see RowsVerdict.
     virtual double smallest_pivot() const { return 1.0; }
     /// Restores the rows from before the last choice.

@@ -6,6 +6,7 @@
 
 #include "core/elementary/elementary.hpp"
 #include "core/equations/assembler.hpp"
+#include "core/jets/body_kinematics.hpp"
 
 namespace jw {
 
@@ -41,6 +42,24 @@ bool axes_held(const System& system, const Constraint& c, const State& state) {
     }
     return true;
 }
+
+/// Cosine of the angle by which a joint's θ, or a wheel that follows it, is off its bodies.
+double cosine_of_theta(const Constraint& c, const Joint& joint, const State& state) {
+    const double theta = state.theta[static_cast<std::size_t>(c.theta)];
+    const auto* wheel = std::get_if<Wheel>(&c.primitive);
+    if (wheel == nullptr) { return elementary::cos(relative_angle(joint, state) - theta); }
+    const auto body = [&](int b) { return kinematics_at<OmegaLocal>(state.r[at(b)], state.p[at(b)]); };
+    const auto angle = measured<Content::jacobian>(*wheel, body(c.body_i), body(c.body_j), Theta{});
+    return elementary::cos(angle.value(0) - wheel->ratio * theta);
+}
+
+/// A constraint that two values of θ, half a turn apart, satisfy.
+bool has_two_angles(const Constraint& c, const Joint& joint) {
+    if (std::holds_alternative<Wheel>(c.primitive)) { return true; }
+    return c.role == Role::screw_angle && joint.geometry.screw_angle_form == ScrewAngleForm::rotation;
+}
+
+bool is_second_wheel(const Constraint& c) { return c.role == Role::wheel_j || c.role == Role::bevel_j; }
 
 /// Handedness (h_i x h_j)·s_i of unit vectors.
 double handedness(const Joint& joint, const State& state) {
@@ -89,10 +108,8 @@ std::optional<WrongBranch> find_wrong_branch(
         } else if (c.role == Role::sides_perpendicular && sides[k] != 0) {
             const double measure = sides[k] * handedness(joint, state);
             if (measure < 0.0) { return WrongBranch{WrongBranch::Kind::half_turn, index, measure}; }
-        } else if (
-            c.role == Role::screw_angle && joint.geometry.screw_angle_form == ScrewAngleForm::rotation) {
-            const double cosine = elementary::cos(
-                relative_angle(joint, state) - state.theta[static_cast<std::size_t>(c.theta)]);
+        } else if (has_two_angles(c, joint)) {
+            const double cosine = cosine_of_theta(c, joint, state);
             if (cosine < 0.0) { return WrongBranch{WrongBranch::Kind::screw_angle, index, cosine}; }
         }
     }
@@ -119,9 +136,13 @@ void leave_branch(const System& system, const WrongBranch& wrong, State& state) 
             break;
         case WrongBranch::Kind::half_turn: turn_half_about(system, joint, s_i, state); break;
         case WrongBranch::Kind::screw_angle: {
+            if (is_second_wheel(c)) {
+                turn_half_about(
+                    system, joint, turned(state, joint.body_j, joint.geometry.s_j_local.normalized()), state);
+                break;
+            }
             double& theta = state.theta[static_cast<std::size_t>(c.theta)];
-            const double angle = relative_angle(joint, state);
-            theta = angle + 2.0 * std::numbers::pi * std::round((theta - angle) / (2.0 * std::numbers::pi));
+            theta = artificial_angle_near(joint, state, theta);
             break;
         }
     }

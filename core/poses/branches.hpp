@@ -6,8 +6,8 @@
 #include "core/equations/system.hpp"
 
 /// Wrong branches. Φ = 0 does not specify everything: p1 is also satisfied by anti-parallel vectors, the n1
-/// of a weld or a prismatic joint by half a turn, the angle row of a screw by θ + π. Such solutions are
-/// detected and left here.
+/// of a weld or a prismatic joint by half a turn, the angle row of a screw or a wheel by θ + π. Such
+/// solutions are detected and left here.
 namespace jw {
 
 /// Constraint that is satisfied on the wrong branch.

@@ -138,8 +138,17 @@ std::string_view word_of(Role role) {
         case Role::distance_perpendicular: return "n2";
         case Role::distance_perpendicular_j: return "n2j";
         case Role::length: return "d";
-        case Role::screw_advance: return "r";
-        case Role::screw_angle: break;
+        case Role::screw_advance:
+        case Role::rack_advance: return "r";
+        case Role::wheel_i:
+        case Role::bevel_i: return "theta_i";
+        case Role::wheel_j:
+        case Role::bevel_j: return "theta_j";
+        case Role::curve_x: return "c_x";
+        case Role::curve_y: return "c_y";
+        case Role::curve_z: return "c_z";
+        case Role::screw_angle:
+        case Role::rack_angle: break;
     }
     return "theta";
 }

@@ -120,6 +120,17 @@ def phi(q, i, j, theta, t, span):
         (sine, cosine), u, v = other.sine_and_cosine(), i.arm(q["u_i"]), j.arm(q["u_j"])
         across, along, form = dot(cross(u, v), s_i()), dot(u, v), q.get("form", "rotation")
         return [{"rotation": across * cosine - along * sine, "cosine": along - cosine, "sine": across - sine}[form]]
+    def curve(u):
+        phi = dot(i.arm(q["e_i"]), d("P")) - const(q["constant"]) - u.times(q["linear"])
+        for k, (of_cosine, of_sine) in enumerate(map(numbers, q["harmonics"]), 1):
+            sine, cosine = u.times(k * ONE).sine_and_cosine()
+            phi = phi - cosine.times(of_cosine) - sine.times(of_sine)
+        return [phi]
+    def wheel(other):  # from the line of the wheels to u about s: the sine of its difference from another angle
+        body, mark = (j, "_j") if q["of_j"] else (i, "_i")
+        s, u, (sine, cosine) = body.arm(q["s" + mark]), body.arm(q["u"]), other.times(q["ratio"]).sine_and_cosine()
+        e = {"centres": lambda: d("P"), "normal": lambda: cross(s_i(), j.arm(q["s_j"])), "rack": s_i}[q["line"]]()
+        return [dot(cross(e, u), s) * cosine - dot(e, u) * sine]
     return {
         "s": lambda: minus(i.point(q["P_i"]), j.point(q["P_j"])),
         "n1": lambda: [dot(s_i(), j.arm(q["s_j"]))],
@@ -132,6 +143,8 @@ def phi(q, i, j, theta, t, span):
         "distance": lambda: [dot(d("P"), d("P")) - const(q["length"] * q["length"])],
         "screw advance": lambda: [dot(s_i(), d()) - const(q["d_0"]) - (theta - const(q["theta_0"])).times(q["alpha"])],
         "screw angle": lambda: angle(theta),
+        "wheel": lambda: wheel(theta),
+        "on curve": lambda: curve(theta),
         "unit length": lambda: [dot(j.p, j.p) + j.p[3] * j.p[3] - const(ONE)],
         "angle": lambda: angle(target()),
         "displacement": lambda: [dot(s_i(), d()) - target()],

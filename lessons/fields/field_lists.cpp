@@ -95,6 +95,32 @@ std::optional<Located<Mat3>> Fields::matrix(std::string_view key) {
     return out;
 }
 
+std::optional<Located<std::vector<Vec3>>> Fields::vectors(std::string_view key) {
+    const Key* described = check_described(key, {KeyKind::vectors});
+    const toml::node* node = find(key);
+    if (node == nullptr) { return std::nullopt; }
+    const toml::array* list = node->as_array();
+    const int least = described != nullptr ? described->least : 0;
+    const int most = described != nullptr ? described->most : static_cast<int>(kLongestList);
+    const int count = list != nullptr ? static_cast<int>(list->size()) : 0;
+    if (list == nullptr || count < least || count > most) {
+        const std::string is = list == nullptr ? kind_of(*node) : "a list of " + std::to_string(count);
+        problems_->add(
+            list == nullptr ? Code::wrong_type : Code::wrong_count, span_of(node->source()),
+            in_quotes(key) + " is " + is + "; expected " + std::to_string(least) + " to " +
+                std::to_string(most) + " vectors of three numbers");
+        return std::nullopt;
+    }
+    Located<std::vector<Vec3>> out{{}, span_of(node->source())};
+    for (const toml::node& entry : *list) {
+        const std::string what = "entry " + std::to_string(out.value.size() + 1) + " of " + in_quotes(key);
+        const auto row = list_in(entry, what, 3, 3);
+        if (!row) { return std::nullopt; }
+        out.value.push_back(Eigen::Map<const Vec3>(row->value.data()));
+    }
+    return out;
+}
+
 std::optional<Located<Vec3>> Fields::vector(std::string_view key) {
     check_described(key, {KeyKind::vector, KeyKind::direction});
     return vector_under(key);

@@ -81,6 +81,8 @@ public:
     std::optional<Located<int>> integer(std::string_view key);
     std::optional<Located<bool>> flag(std::string_view key);
     std::optional<Located<Vec3>> vector(std::string_view key);
+    /// A list of vectors, as many as the format describes.
+    std::optional<Located<std::vector<Vec3>>> vectors(std::string_view key);
     /// A vector that is not zero.
     std::optional<Located<Vec3>> direction(std::string_view key);
     /// `count` numbers, or any number of them up to `most`. @param expected  for the message, if given

@@ -26,7 +26,8 @@ enum class KeyKind {
     vector,     ///< three numbers
     direction,  ///< three numbers, not all zero
     numbers,
-    tensor,  ///< three or six numbers, or three rows of three
+    vectors,  ///< a list of three numbers each
+    tensor,   ///< three or six numbers, or three rows of three
     texts,
     table,
     tables,  ///< a list of tables, or one

@@ -103,7 +103,7 @@ inline constexpr std::array kJoint{
     Key{"point_i", KeyKind::vector, "point in the frame of the first body", "m"},
     Key{"point_j", KeyKind::vector, "point in the frame of the second body", "m"},
     Key{"axis", KeyKind::direction, "axis, global at the start pose"},
-    Key{"axis2", KeyKind::direction, "arm of the second body, global, perpendicular to 'axis'"},
+    Key{"axis2", KeyKind::direction, "axis of the second body, global, where it has another"},
     Key{"axis_i", KeyKind::direction, "axis in the frame of the first body"},
     Key{"axis_j", KeyKind::direction, "axis in the frame of the second body"},
     Key{"side", KeyKind::direction, "zero direction of the angle, global, perpendicular to the axis"},
@@ -112,13 +112,32 @@ inline constexpr std::array kJoint{
     Key{"length", KeyKind::positive, "distance of the two points", "m"},
     Key{"pitch", KeyKind::number, "advance in one turn of a screw", "m"},
     Key{"advance_per_rad", KeyKind::number, "instead of pitch: advance for a radian", "m/rad"},
-    Key{"d_0", KeyKind::number, "displacement of a screw at theta_0", "m"},
+    Key{"radius", KeyKind::number, "radius of the wheel on a rack, negative: turns left-handed", "m"},
+    Key{"ratio", KeyKind::number, "turns of the second wheel in one turn of the first"},
+    Key{"radii", KeyKind::numbers, "instead of ratio: radii of both wheels, of a ring negative", "m"},
+    Key{"d_0", KeyKind::number, "displacement of a screw or a rack at theta_0", "m"},
+    in_table("curve", KeyKind::table, "curve in the frame of the first body, from point_i on", "curve"),
     one_of("angle_row", "equation of a screw's angle", words_in<kAngleRows>),
     one_of("parallel", "which equations of p1 or p2 are kept", words_in<kParallelForms>),
     Key{"without", KeyKind::texts, "equations that are taken out, as \"p1 x\""},
-    spelled({"theta_0", KeyKind::number, "angle of a screw at d_0"}, Spelling::angle),
-    spelled({"theta", KeyKind::number, "start value of a screw's coordinate"}, Spelling::angle),
+    spelled({"theta_0", KeyKind::number, "angle of a screw or a rack at d_0"}, Spelling::angle),
+    spelled(
+        {"theta", KeyKind::number, "start value of the coordinate of a screw or a wheel"}, Spelling::angle),
     spelled({"theta_dot", KeyKind::number, "its rate at the start"}, Spelling::angular_velocity)};
+
+/// Points of a closed curve; harmonics of any curve.
+inline constexpr int kFewestPoints = 3;
+inline constexpr int kMostPoints = 200;
+inline constexpr int kMostHarmonics = 100;
+
+inline constexpr std::array kCurve{
+    counted(
+        "points", KeyKind::vectors, "closed curve through these points, evenly spread over theta",
+        kFewestPoints, kMostPoints),
+    Key{"constant", KeyKind::vector, "instead of points: middle of the curve", "m"},
+    Key{"linear", KeyKind::vector, "advance for a radian of theta", "m/rad"},
+    counted("cos", KeyKind::vectors, "factors of cos theta, cos 2 theta, ...", 1, kMostHarmonics),
+    counted("sin", KeyKind::vectors, "factors of sin theta, sin 2 theta, ...", 1, kMostHarmonics)};
 
 inline constexpr std::array kPrecision{
     MemberKey<Precision>{
@@ -147,17 +166,12 @@ inline constexpr std::array kPrecisionKeys = keys_in(kPrecision);
 inline constexpr std::array kCameraKeys = keys_in(kCamera);
 
 inline constexpr std::array kSceneTables{
-    KeyTable{"lesson", kLesson},
-    KeyTable{"body", kBody},
-    KeyTable{"rotation", kRotation},
-    KeyTable{"axes", kAxes},
-    KeyTable{"shape", kShape, true},
-    KeyTable{"box", kBox},
-    KeyTable{"sphere", kSphereKeys},
-    KeyTable{"cylinder", kCylinderKeys},
-    KeyTable{"rod", kRodKeys},
-    KeyTable{"joint", kJoint},
-    KeyTable{"precision", kPrecisionKeys},
+    KeyTable{"lesson", kLesson},     KeyTable{"body", kBody},
+    KeyTable{"rotation", kRotation}, KeyTable{"axes", kAxes},
+    KeyTable{"shape", kShape, true}, KeyTable{"box", kBox},
+    KeyTable{"sphere", kSphereKeys}, KeyTable{"cylinder", kCylinderKeys},
+    KeyTable{"rod", kRodKeys},       KeyTable{"joint", kJoint},
+    KeyTable{"curve", kCurve},       KeyTable{"precision", kPrecisionKeys},
     KeyTable{"camera", kCameraKeys}};
 
 }  // namespace jw::format

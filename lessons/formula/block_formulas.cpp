@@ -39,7 +39,16 @@ std::string of_position(Role role, bool i) {
         case Role::axes_perpendicular:
         case Role::sides_perpendicular:
         case Role::screw_advance:
-        case Role::screw_angle: break;
+        case Role::screw_angle:
+        case Role::wheel_i:
+        case Role::wheel_j:
+        case Role::bevel_i:
+        case Role::bevel_j:
+        case Role::rack_advance:
+        case Role::rack_angle:
+        case Role::curve_x:
+        case Role::curve_y:
+        case Role::curve_z: break;
     }
     return "0";
 }
@@ -67,7 +76,16 @@ std::string of_orientation(Role role, CoordinateChoice c, bool i) {
                      : tilde("s") + "_i " + arm(c, "s", own, "B");
         case Role::length: return std::string(i ? "-" : "") + "2 \\mathbf{d}^T " + arm(c, "s", own, "P");
         case Role::screw_advance:
-        case Role::screw_angle: break;
+        case Role::screw_angle:
+        case Role::wheel_i:
+        case Role::wheel_j:
+        case Role::bevel_i:
+        case Role::bevel_j:
+        case Role::rack_advance:
+        case Role::rack_angle:
+        case Role::curve_x:
+        case Role::curve_y:
+        case Role::curve_z: break;
     }
     return "0";
 }
@@ -88,7 +106,8 @@ std::string block_name(const Block& block) {
 }
 
 std::optional<std::string> block_formula(const Block& block) {
-    if (block.role == Role::screw_advance || block.role == Role::screw_angle) { return std::nullopt; }
+    // the equations with θ are not on slide 14
+    if (has_theta(block.role)) { return std::nullopt; }
     return block.of_orientation ? of_orientation(block.role, block.coordinates, block.body_i)
                                 : of_position(block.role, block.body_i);
 }

@@ -134,6 +134,7 @@ void RoundedNumbers::add_joint(const Fields& fields, int joint) {
     add_scalar(fields, joint, "length", &JointGeometry::length);
     add_scalar(fields, joint, "pitch", &JointGeometry::alpha, 1.0 / (2.0 * std::numbers::pi));
     add_scalar(fields, joint, "advance_per_rad", &JointGeometry::alpha);
+    add_scalar(fields, joint, "radius", &JointGeometry::alpha);
 }
 
 void RoundedNumbers::add_joints(const std::vector<Fields>& joints) {

@@ -59,12 +59,21 @@ void read_points(Fields& fields, const BodyPair& pair, const JointType& type, Jo
     if (point_j) { g.P_j_local = point_j->value; }
 }
 
-void read_arms(Fields& fields, const BodyPair& pair, const Located<Vec3>& axis, JointGeometry& g) {
-    fields.require("axis2", "the arm of the second body, global, perpendicular to 'axis'");
+/// Description of the second axis for the message about its absence.
+const char* second_axis(const JointType& type) {
+    if (type.uses(Role::bevel_i)) { return "the axis of the second wheel, global"; }
+    if (type.uses(Role::rack_angle)) { return "the axis of the wheel, global, perpendicular to 'axis'"; }
+    return "the arm of the second body, global, perpendicular to 'axis'";
+}
+
+void read_arms(
+    Fields& fields, const BodyPair& pair, const JointType& type, const Located<Vec3>& axis,
+    JointGeometry& g) {
+    fields.require("axis2", second_axis(type));
     const auto axis2 = fields.direction("axis2");
     if (!axis2) { return; }
     g.s_j_local = pair.vector_j(axis2->value.normalized());
-    if (!is_perpendicular(axis.value, axis2->value)) {
+    if (JointNeeds(type).right_angle && !is_perpendicular(axis.value, axis2->value)) {
         fields.problems().add(
             Code::not_perpendicular, axis2->span,
             "'axis' and 'axis2' make an angle of " +
@@ -74,7 +83,8 @@ void read_arms(Fields& fields, const BodyPair& pair, const Located<Vec3>& axis, 
 }
 
 /// @return whether the axes are known
-bool read_axes(Fields& fields, const BodyPair& pair, const JointNeeds& needs, JointGeometry& g) {
+bool read_axes(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
+    const JointNeeds needs(type);
     const int errors = fields.problems().errors_count();
     const auto axis = fields.direction("axis");
     const auto axis_i = fields.direction("axis_i");
@@ -86,7 +96,7 @@ bool read_axes(Fields& fields, const BodyPair& pair, const JointNeeds& needs, Jo
     if (axis) {
         g.s_i_local = pair.vector_i(axis->value.normalized());
         if (needs.axis_j) { g.s_j_local = pair.vector_j(axis->value.normalized()); }
-        if (needs.arms) { read_arms(fields, pair, *axis, g); }
+        if (needs.arms) { read_arms(fields, pair, type, *axis, g); }
     } else if (needs.arms && !fields.has("axis") && fields.has("axis2")) {
         fields.problems().add(
             Code::lonely_key, fields.span("axis2"),
@@ -118,6 +128,32 @@ void check_side(
     }
 }
 
+/// Sides of wheels that the author does not give.
+void read_marks(
+    Fields& fields, const BodyPair& pair, const JointType& type, const std::optional<Located<Vec3>>& side,
+    JointGeometry& g) {
+    if (side) {
+        fields.problems().add(
+            Code::exclusive_keys, side->span,
+            fields.what() +
+                " has 'side'; expected 'side_i' and 'side_j', or neither: then the sides lie on "
+                "the line between the wheels at the start");
+    }
+    if (!pair.sound) { return; }
+    if (const auto line = wheel_line(pair, type, g)) {
+        set_marks(pair, *line, g);
+    } else if (type.uses(Role::bevel_i)) {
+        fields.problems().add(
+            Code::zero_direction, fields.span(),
+            fields.what() + ": the axes are parallel; expected two axes that are not",
+            "for parallel axes use type = \"gear\"");
+    } else {
+        fields.problems().add(
+            Code::points_coincide, fields.span(),
+            fields.what() + ": the two centres lie on one axis; expected a distance between the axes");
+    }
+}
+
 void read_sides(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
     const auto side = fields.direction("side");
     const auto side_i = fields.direction("side_i");
@@ -126,18 +162,24 @@ void read_sides(Fields& fields, const BodyPair& pair, const JointType& type, Joi
     if (any && !one_way(fields, "side", {"side_i", "side_j"}, "a side vector, three numbers")) { return; }
 
     const Vec3 axis = pair.axis_i(g);
+    if ((!side_i || !side_j) && type.uses(kSidesU) && !type.has_angle()) {
+        read_marks(fields, pair, type, side, g);
+        return;
+    }
     if (!side_i || !side_j) {
         if (side) { check_side(fields, "side", *side, axis, true); }
         set_sides(pair, type, side ? side->value.normalized() : perpendicular_to(axis), g);
         return;
     }
-    check_side(fields, "side_i", *side_i, g.s_i_local, type.has_angle());
-    check_side(fields, "side_j", *side_j, g.s_j_local, type.has_angle());
+    // the direction of a rack is its line, and its side is not used
+    const bool is_rack = type.uses(Role::rack_angle);
+    if (!is_rack) { check_side(fields, "side_i", *side_i, g.s_i_local, type.has_marks()); }
+    check_side(fields, "side_j", *side_j, g.s_j_local, type.has_marks());
     g.u_i_local = unit_of(side_i->value);
     g.u_j_local = unit_of(side_j->value);
     // as typed: the length of h scales the equation
-    g.h_i_local = type.has_angle() ? g.u_i_local : side_i->value;
-    g.h_j_local = type.has_angle() ? g.u_j_local : side_j->value;
+    g.h_i_local = type.has_marks() ? g.u_i_local : side_i->value;
+    g.h_j_local = type.has_marks() ? g.u_j_local : side_j->value;
 }
 
 void read_pitch(Fields& fields, JointGeometry& g) {
@@ -153,13 +195,22 @@ void read_pitch(Fields& fields, JointGeometry& g) {
     if (const auto alpha = fields.number("advance_per_rad")) { g.alpha = alpha->value; }
 }
 
-void read_screw(Fields& fields, const BodyPair& pair, JointGeometry& g) {
-    read_pitch(fields, g);
-    g.screw_angle_form = fields.word("angle_row", kAngleRows).value_or(g.screw_angle_form);
+/// Start values of the artificial coordinate.
+void read_theta(Fields& fields, JointGeometry& g) {
     if (const auto theta = fields.angle("theta")) { g.theta_start = theta->value; }
-    // the start pose lies on the thread unless the author gives another d_0 and theta_0
+    if (fields.at_most_one({"theta_dot_deg_per_s", "theta_dot_rad_per_s"})) {
+        if (const auto rate = fields.number("theta_dot_rad_per_s")) { g.theta_dot_start = rate->value; }
+        if (const auto rate = fields.number("theta_dot_deg_per_s")) {
+            g.theta_dot_start = radians(rate->value);
+        }
+    }
+}
+
+/// The advance of a screw or a rack, once alpha is known.
+void read_advance(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
+    // the start pose satisfies the equation unless the author gives another d_0 and theta_0
     const double d = start_displacement(pair, g);
-    const double theta = start_angle(pair, g);
+    const double theta = start_theta(pair, type, g);
     const auto d_0 = fields.number("d_0");
     const auto theta_0 = fields.angle("theta_0");
     g.d_0 = d;
@@ -172,12 +223,106 @@ void read_screw(Fields& fields, const BodyPair& pair, JointGeometry& g) {
         g.d_0 = d_0->value;
         if (!theta_0 && g.alpha != 0.0) { g.theta_0 = theta - (d - g.d_0) / g.alpha; }
     }
-    if (fields.at_most_one({"theta_dot_deg_per_s", "theta_dot_rad_per_s"})) {
-        if (const auto rate = fields.number("theta_dot_rad_per_s")) { g.theta_dot_start = rate->value; }
-        if (const auto rate = fields.number("theta_dot_deg_per_s")) {
-            g.theta_dot_start = radians(rate->value);
-        }
+}
+
+void read_screw(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
+    read_pitch(fields, g);
+    g.screw_angle_form = fields.word("angle_row", kAngleRows).value_or(g.screw_angle_form);
+    read_theta(fields, g);
+    read_advance(fields, pair, type, g);
+}
+
+/// A number that must not be 0.
+std::optional<double> read_nonzero(Fields& fields, const char* key, const char* expected) {
+    fields.require(key, expected);
+    const auto number = fields.number(key);
+    if (!number) { return std::nullopt; }
+    if (number->value != 0.0) { return number->value; }
+    fields.problems().add(
+        Code::out_of_range, number->span, in_quotes(key) + std::string(" is 0; expected ") + expected);
+    return std::nullopt;
+}
+
+void read_rack(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
+    const auto radius = read_nonzero(
+        fields, "radius",
+        "the radius of the wheel in m, negative if it moves along 'axis' when it turns left-handed");
+    g.alpha = radius.value_or(1.0);
+    read_theta(fields, g);
+    read_advance(fields, pair, type, g);
+}
+
+void read_radii(Fields& fields, const JointType& type, JointGeometry& g) {
+    const auto radii = fields.numbers("radii", 2, 2, "two radii in m");
+    if (!radii) { return; }
+    if (!(radii->value[0] > 0.0) || radii->value[1] == 0.0) {
+        fields.problems().add(
+            Code::out_of_range, radii->span,
+            "'radii' must be a positive number and one that is not 0, which is negative for the inner side "
+            "of "
+            "a ring or a crossed belt");
+        return;
     }
+    g.radii = {radii->value[0], radii->value[1]};
+    g.ratio = (type.glyph == JointGlyph::belt ? 1.0 : -1.0) * g.radii[0] / g.radii[1];
+}
+
+void read_gear(Fields& fields, const JointType& type, JointGeometry& g) {
+    const char* const expected =
+        "turns of the second wheel in one turn of the first, negative if they turn against each other";
+    g.ratio = 1.0;
+    if (!fields.at_most_one({"ratio", "radii"})) { return; }
+    if (fields.has("radii")) {
+        read_radii(fields, type, g);
+    } else {
+        g.ratio = read_nonzero(fields, "ratio", expected).value_or(1.0);
+    }
+    read_theta(fields, g);
+}
+
+/// The curve that a table gives by its harmonics.
+Curve read_harmonics(Fields& fields) {
+    Curve curve;
+    if (const auto constant = fields.vector("constant")) { curve.constant = constant->value; }
+    if (const auto linear = fields.vector("linear")) { curve.linear = linear->value; }
+    const auto take = [&](const char* key, Vec3 Curve::Harmonic::*part) {
+        const auto list = fields.vectors(key);
+        if (!list) { return; }
+        curve.harmonics.resize(std::max(curve.harmonics.size(), list->value.size()));
+        for (std::size_t k = 0; k < list->value.size(); ++k) { curve.harmonics[k].*part = list->value[k]; }
+    };
+    take("cos", &Curve::Harmonic::cos);
+    take("sin", &Curve::Harmonic::sin);
+    return curve;
+}
+
+void read_curve(Fields& joint, JointGeometry& g) {
+    joint.require("curve", "a table, as { points = [...] } or { cos = [...], sin = [...] }");
+    const int errors = joint.problems().errors_count();
+    auto fields = joint.table("curve");
+    if (!fields) { return; }
+    fields->call("the curve of " + joint.what());
+    bool alone = true;
+    for (const char* key : {"constant", "linear", "cos", "sin"}) {
+        alone = alone && fields->at_most_one({"points", key});
+    }
+    if (const auto points = fields->vectors("points")) { g.curve = Curve::through(points->value); }
+    const Curve given = read_harmonics(*fields);
+    if (!fields->has("points")) { g.curve = given; }
+    fields->finish();
+    if (joint.problems().errors_count() > errors || !alone) { return; }
+    // a curve that stands still somewhere has no direction there
+    const double size = g.curve.at(0.0).c_u.norm() + g.curve.at(0.5 * std::numbers::pi).c_u.norm();
+    constexpr int looked_at = 512;
+    for (int k = 0; k < looked_at; ++k) {
+        if (g.curve.at(2.0 * std::numbers::pi * k / looked_at).c_u.norm() > 1e-9 * size) { continue; }
+        joint.problems().add(
+            Code::zero_direction, fields->span(),
+            "the curve stands still at theta = " + short_number(360.0 * k / looked_at) +
+                " deg; expected points or harmonics that move on");
+        return;
+    }
+    read_theta(joint, g);
 }
 
 void read_length(Fields& fields, const BodyPair& pair, bool points_known, JointGeometry& g) {
@@ -202,13 +347,16 @@ void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint) {
     const int errors = fields.problems().errors_count();
     if (needs.points) { read_points(fields, pair, type, g); }
     if (type.uses(Role::length)) { read_length(fields, pair, fields.problems().errors_count() == errors, g); }
-    const bool axes_known = needs.axis && read_axes(fields, pair, needs, g);
+    const bool axes_known = needs.axis && read_axes(fields, pair, type, g);
     if (needs.sides && axes_known) {
         read_sides(fields, pair, type, g);
     } else if (needs.sides) {
         for (const char* key : {"side", "side_i", "side_j"}) { fields.direction(key); }
     }
-    if (type.uses(Role::screw_advance)) { read_screw(fields, pair, g); }
+    if (type.uses(Role::screw_advance)) { read_screw(fields, pair, type, g); }
+    if (type.uses(Role::rack_advance)) { read_rack(fields, pair, type, g); }
+    if (type.uses(Role::curve_x)) { read_curve(fields, g); }
+    if (type.uses(Role::wheel_i) || type.uses(Role::bevel_i)) { read_gear(fields, type, g); }
 }
 
 }  // namespace jw::reading

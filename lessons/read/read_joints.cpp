@@ -13,8 +13,10 @@ void check_keys(Fields& fields) {
     for (const char* key : {"axis", "axis2", "axis_i", "axis_j", "side", "side_i", "side_j"}) {
         fields.direction(key);
     }
-    for (const char* key : {"pitch", "advance_per_rad", "d_0"}) { fields.number(key); }
+    for (const char* key : {"pitch", "advance_per_rad", "radius", "ratio", "d_0"}) { fields.number(key); }
     fields.positive("length");
+    fields.numbers("radii");
+    fields.raw("curve");
     for (const char* key : {"theta_0", "theta"}) { fields.angle(key); }
     for (const char* key : {"theta_dot_rad_per_s", "theta_dot_deg_per_s"}) { fields.number(key); }
     for (const char* key : {"angle_row", "parallel"}) { fields.text(key); }

@@ -23,7 +23,7 @@ void write_vectors(const JointType& type, const JointGeometry& g, Lines& lines) 
     if (needs.axis) { lines.key("axis_i", g.s_i_local); }
     if (needs.axis_j) { lines.key("axis_j", g.s_j_local); }
     if (needs.sides) {
-        const bool angle = type.has_angle();
+        const bool angle = type.has_marks();
         lines.key("side_i", angle ? typed_direction(g.u_i_local) : g.h_i_local);
         lines.key("side_j", angle ? typed_direction(g.u_j_local) : g.h_j_local);
     }
@@ -39,10 +39,52 @@ void write_screw(const JointGeometry& g, Lines& lines) {
     if (g.screw_angle_form != ScrewAngleForm::rotation) {
         lines.key("angle_row", string_text(word_of(kAngleRows, g.screw_angle_form)));
     }
-    lines.key("d_0", g.d_0, "m");
-    lines.angle("theta_0", g.theta_0);
+}
+
+void write_theta(const JointType& type, const JointGeometry& g, Lines& lines) {
+    if (type.uses(Role::screw_advance) || type.uses(Role::rack_advance)) {
+        lines.key("d_0", g.d_0, "m");
+        lines.angle("theta_0", g.theta_0);
+    }
     if (g.theta_start) { lines.angle("theta", *g.theta_start); }
     if (g.theta_dot_start) { lines.angle("theta_dot", *g.theta_dot_start, "_per_s"); }
+}
+
+std::string text_of(const Vec3& v) {
+    return '[' + number_text(v.x()) + ", " + number_text(v.y()) + ", " + number_text(v.z()) + ']';
+}
+
+void write_curve(const Curve& curve, Lines& lines) {
+    std::string parts;
+    const auto add = [&](const char* key, const std::string& value) {
+        parts += (parts.empty() ? "" : ", ") + std::string(key) + " = " + value;
+    };
+    const auto list = [&](Vec3 Curve::Harmonic::*part) {
+        std::string text;
+        for (const Curve::Harmonic& h : curve.harmonics) {
+            text += (text.empty() ? "" : ", ") + text_of(h.*part);
+        }
+        return '[' + text + ']';
+    };
+    add("constant", text_of(curve.constant));
+    if (!curve.is_closed()) { add("linear", text_of(curve.linear)); }
+    if (!curve.harmonics.empty()) {
+        add("cos", list(&Curve::Harmonic::cos));
+        add("sin", list(&Curve::Harmonic::sin));
+    }
+    lines.key("curve", "{ " + parts + " }", "m");
+}
+
+void write_wheels(const JointType& type, const JointGeometry& g, Lines& lines) {
+    if (type.uses(Role::curve_x)) {
+        write_curve(g.curve, lines);
+    } else if (type.uses(Role::rack_advance)) {
+        lines.key("radius", g.alpha, "m");
+    } else if (g.radii[0] > 0.0) {
+        lines.key("radii", '[' + number_text(g.radii[0]) + ", " + number_text(g.radii[1]) + ']', "m");
+    } else {
+        lines.key("ratio", g.ratio);
+    }
 }
 
 void write_without(const Joint& joint, Lines& lines) {
@@ -63,6 +105,10 @@ void write_joint(const Written& written, const Joint& joint, const Text& text, L
     write_vectors(*joint.type, joint.geometry, lines);
     if (joint.type->uses(Role::length)) { lines.key("length", joint.geometry.length, "m"); }
     if (joint.type->uses(Role::screw_advance)) { write_screw(joint.geometry, lines); }
+    if (joint.type->artificial > 0 && !joint.type->uses(Role::screw_advance)) {
+        write_wheels(*joint.type, joint.geometry, lines);
+    }
+    if (joint.type->artificial > 0) { write_theta(*joint.type, joint.geometry, lines); }
     if (joint.parallel_form != ParallelForm::rule && std::ranges::any_of(joint.type->roles, is_parallel)) {
         lines.key("parallel", string_text(word_of(kParallelForms, joint.parallel_form)));
     }

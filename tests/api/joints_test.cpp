@@ -35,6 +35,13 @@ std::vector<Case> cases() {
     const Place crossed{.at = kAt, .to = kTo, .axis = kAxis, .axis2 = kAcross};
     Place thread = slide;
     thread.pitch = 0.2;
+    const Place wheels{.at = kAt, .to = kTo, .axis = kAxis, .ratio = -1.5};
+    const Place curve{
+        .at = kAt,
+        .to = kTo,
+        .curve = {{1.0, 0.0, 0.0}, {0.0, 1.5, 0.2}, {-1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}}};
+    const Place rack{.at = kAt, .to = kTo, .axis = kAxis, .axis2 = kAcross, .radius = 0.3};
+    const Place bevel{.at = kAt, .to = kTo, .axis = kAxis, .axis2 = kAcross, .ratio = 2.0};
     return {
         {"spherical", kOneAt, point},
         {"s", kOneAt, point},
@@ -56,6 +63,11 @@ std::vector<Case> cases() {
         {"revolute-spherical", kTwo + kOneAxis, slide},
         {"revolute-revolute", kTwo + kOneAxis + kSide, slide},
         {"revolute-revolute-crossed", kTwo + kArms, crossed},
+        {"gear", kTwo + kOneAxis + "ratio = -1.5\n", wheels},
+        {"belt", kTwo + kOneAxis + "ratio = -1.5\n", wheels},
+        {"bevel-gear", kTwo + kArms + "ratio = 2\n", bevel},
+        {"curve", kTwo + "curve = { points = [[1, 0, 0], [0, 1.5, 0.2], [-1, 0, 0], [0, -1, 0]] }\n", curve},
+        {"rack", kTwo + kArms + "radius = 0.3\n", rack},
     };
 }
 

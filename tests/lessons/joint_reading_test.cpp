@@ -4,6 +4,7 @@
 #include <numbers>
 #include <set>
 
+#include "core/model/placement.hpp"
 #include "lessons/lesson/equation_labels.hpp"
 #include "tests/lessons/support.hpp"
 
@@ -153,12 +154,16 @@ TEST_CASE("Every joint type can be read, with its number of equations", "[lesson
     for (const JointType& type : kJointTypes) {
         CAPTURE(type.name);
         std::string keys = "type = \"" + std::string(type.name) + "\"\n";
-        const bool arms = type.uses(Role::axes_perpendicular);
+        const bool arms = JointNeeds(type).arms;
         if (type.uses(kAxisI)) { keys += "axis = [0, 0, 1]\n"; }
         if (arms) { keys += "axis2 = [1, 0, 0]\n"; }
-        if (type.uses(kPoints) || type.uses(kD)) { keys += "at = [0, 0, 0]\n"; }
+        if (JointNeeds(type).points) { keys += "at = [0, 0, 0]\n"; }
         if (type.uses(Role::length)) { keys += "to = [0, 0, 1]\n"; }
+        if (type.uses(Role::wheel_i)) { keys += "to = [0, 1, 0]\n"; }
         if (type.uses(Role::screw_advance)) { keys += "pitch = 1\n"; }
+        if (type.uses(Role::rack_advance)) { keys += "radius = 1\n"; }
+        if (type.uses(Role::curve_x)) { keys += "curve = { cos = [[1, 0, 0]], sin = [[0, 1, 0]] }\n"; }
+        if (type.uses(Role::wheel_i) || type.uses(Role::bevel_i)) { keys += "ratio = -2\n"; }
         CHECK(joint_with(keys).type == &type);
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -48,8 +49,15 @@ public:
         all(name, a, b, &G::P_i_local, "P_i", &G::P_j_local, "P_j", &G::s_i_local, "s_i", &G::s_j_local,
             "s_j", &G::h_i_local, "h_i", &G::h_j_local, "h_j", &G::u_i_local, "u_i", &G::u_j_local, "u_j");
         all(name, a, b, &G::length, "length", &G::alpha, "alpha", &G::d_0, "d_0", &G::theta_0, "theta_0",
-            &G::screw_angle_form, "screw_angle_form", &G::theta_start, "theta_start", &G::theta_dot_start,
-            "theta_dot_start");
+            &G::curve, "curve", &G::ratio, "ratio", &G::radii, "radii", &G::screw_angle_form,
+            "screw_angle_form", &G::theta_start, "theta_start", &G::theta_dot_start, "theta_dot_start");
+    }
+    void compare(const std::string& name, const Curve& a, const Curve& b) {
+        all(name, a, b, &Curve::constant, "constant", &Curve::linear, "linear", &Curve::harmonics,
+            "harmonics");
+    }
+    void compare(const std::string& name, const Curve::Harmonic& a, const Curve::Harmonic& b) {
+        all(name, a, b, &Curve::Harmonic::cos, "cos", &Curve::Harmonic::sin, "sin");
     }
     void compare(const std::string& name, const Driver& a, const Driver& b) {
         all(name, a, b, &Driver::name, "name", &Driver::joint, "joint", &Driver::body_i, "body_i",
@@ -291,6 +299,10 @@ public:
         for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
             compare(name + '[' + std::to_string(k) + ']', a[k], b[k]);
         }
+    }
+    template <class T, std::size_t N>
+    void compare(const std::string& name, const std::array<T, N>& a, const std::array<T, N>& b) {
+        for (std::size_t k = 0; k < N; ++k) { compare(name + '[' + std::to_string(k) + ']', a[k], b[k]); }
     }
     template <class T>
     void compare(const std::string& name, const std::optional<T>& a, const std::optional<T>& b) {

@@ -21,7 +21,7 @@ inline JointGeometry as_in_lessons(const JointType& type, const JointGeometry& a
     }
     if (needs.axis) { g.s_i_local = any.s_i_local; }
     if (needs.axis_j) { g.s_j_local = any.s_j_local; }
-    if (needs.sides && type.has_angle()) {
+    if (needs.sides && type.has_marks()) {
         g.h_i_local = g.u_i_local = perpendicular_to(any.s_i_local);
         g.h_j_local = g.u_j_local = any.s_j_local.cross(any.h_j_local).normalized();
     } else if (needs.sides) {
@@ -31,11 +31,15 @@ inline JointGeometry as_in_lessons(const JointType& type, const JointGeometry& a
         g.u_j_local = unit_of(any.h_j_local);
     }
     if (type.uses(Role::length)) { g.length = any.length; }
-    if (type.uses(Role::screw_advance)) {
+    if (type.uses(Role::screw_advance) || type.uses(Role::rack_advance)) {
         g.alpha = any.alpha;
         g.d_0 = any.d_0;
         g.theta_0 = any.theta_0;
-        g.screw_angle_form = any.screw_angle_form;
+    }
+    if (type.uses(Role::wheel_i) || type.uses(Role::bevel_i)) { g.ratio = any.ratio; }
+    if (type.uses(Role::curve_x)) { g.curve = any.curve; }
+    if (type.uses(Role::screw_angle)) { g.screw_angle_form = any.screw_angle_form; }
+    if (type.artificial > 0) {
         g.theta_start = any.theta_start;
         g.theta_dot_start = any.theta_dot_start;
     }

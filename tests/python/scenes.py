@@ -14,6 +14,7 @@ def two_bodies(joint_type):
         "joint", joint_type, "one", "two",
         at=[0.3, -0.2, 0.5], to=[0.7, 0.4, 0.1], axis=[0.6, 0.0, 0.8], axis2=[-0.8, 0.0, 0.6],
         side=[-0.8, 0.0, 0.6], pitch=0.2,
+        ratio=-1.5, radius=0.3, curve=[[1, 0, 0], [0, 1.5, 0.2], [-1, 0, 0], [0, -1, 0]],
     )
     pose = jw.start_pose(m)
     pose.r[1] += [0.02, -0.03, 0.05]

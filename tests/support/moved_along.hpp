@@ -33,8 +33,7 @@ auto rate_by_difference(const F& f) -> decltype(f(0.0)) {
 }
 
 template <class F>
-auto acceleration_by_difference(const F& f) -> decltype(f(0.0)) {
-    const double h = 2e-3;
+auto acceleration_by_difference(const F& f, double h = 2e-3) -> decltype(f(0.0)) {
     return (16.0 * (f(h) + f(-h)) - (f(2.0 * h) + f(-2.0 * h)) - 30.0 * f(0.0)) / (12.0 * h * h);
 }
 

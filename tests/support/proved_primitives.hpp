@@ -33,11 +33,18 @@ inline std::vector<ProvedPrimitive> polynomial_primitives(Random& random) {
 
 inline std::vector<ProvedPrimitive> all_primitives(Random& random) {
     const auto unit = [&] { return random.direction(); };
+    const auto any = [&] { return random.vector(1.5); };
     std::vector<ProvedPrimitive> all = polynomial_primitives(random);
     for (const auto form : {ScrewAngleForm::rotation, ScrewAngleForm::cosine, ScrewAngleForm::sine}) {
         all.push_back(ScrewAngle{unit(), unit(), unit(), form});
     }
     all.push_back(AngleMeasure{unit(), unit(), unit()});
+    all.push_back(OnCurve{unit(), any(), any(), {0.3, -0.2, {{0.5, 0.1}, {-0.2, 0.3}}}});
+    for (const auto line : {WheelLine::centres, WheelLine::normal, WheelLine::rack}) {
+        all.push_back(Wheel{line, true, unit(), unit(), unit(), any(), any(), -1.7});
+    }
+    all.push_back(Wheel{WheelLine::centres, false, unit(), unit(), unit(), any(), any(), 1.0});
+    all.push_back(Wheel{WheelLine::normal, false, unit(), unit(), unit(), any(), any(), 0.6});
     return all;
 }
 

@@ -75,6 +75,10 @@ inline Mechanism random_tree(Random& random) {
             scene.add_link(type.name, before, body, from, random.vector() + Vec3(3.0, 0.0, 0.0), axis);
             continue;
         }
+        if (type.artificial > 0 && !type.has_angle()) {
+            scene.add_any_wheels(type.name, before, body, random.vector(), axis);
+            continue;
+        }
         Joint& joint = scene.add_joint(type.name, before, body, random.vector(2.0), axis);
         if (type.uses(Role::axes_perpendicular)) {
             joint.geometry.s_j_local = scene.local(body, perpendicular_to(axis));
@@ -144,7 +148,10 @@ inline std::vector<Mechanism> mechanisms_of_all_kinds(Random& random) {
         slider_crank(0.5, 1.5, 0.8),
         driven(slider_crank(0.5, 1.5, 0.8), 0, -2.0),
         screw(0.7, 0.25, ScrewAngleForm::rotation),
-        driven(screw(0.7, 0.25, ScrewAngleForm::rotation), 0, 3.0, 1.0)};
+        driven(screw(0.7, 0.25, ScrewAngleForm::rotation), 0, 3.0, 1.0),
+        planetary_gear(-1.25, 0.3),
+        differential(),
+        driven(rack_and_pinion(0.4), 0, -2.0)};
     for (Mechanism& mechanism : out) {
         mechanism = moved_rigidly(mechanism, random.unit_p(), random.vector());
     }

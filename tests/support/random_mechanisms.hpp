@@ -54,6 +54,10 @@ inline JointGeometry random_geometry(Random& random) {
     g.alpha = random.number(-0.5, 0.5);
     g.d_0 = random.number();
     g.theta_0 = random.number();
+    g.ratio = 0.3 + g.d_0;
+    g.curve.constant = g.h_i_local;
+    g.curve.linear = 0.2 * g.h_j_local;
+    g.curve.harmonics = {{g.P_i_local, g.P_j_local}, {0.2 * g.s_i_local, 0.2 * g.s_j_local}};
     return g;
 }
 

@@ -27,6 +27,10 @@ inline Mechanism random_net(Random& random) {
             scene.add_link(type.name, i, j, from, from + size * random.direction(), axis);
             return;
         }
+        if (type.artificial > 0 && !type.has_angle()) {
+            scene.add_any_wheels(type.name, i, j, random.vector(size), axis, size);
+            return;
+        }
         Joint& joint = scene.add_joint(type.name, i, j, random.vector(size), axis);
         JointGeometry& g = joint.geometry;
         if (type.uses(Role::axes_perpendicular)) { g.s_j_local = scene.local(j, perpendicular_to(axis)); }

@@ -101,6 +101,39 @@ inline VX phi(const System& system, const Positions& q, Real t, bool homogeneous
                 }
                 break;
             }
+            case Role::wheel_i:
+            case Role::wheel_j:
+            case Role::bevel_i:
+            case Role::bevel_j:
+            case Role::rack_angle: {
+                const bool of_j = c.role != Role::wheel_i && c.role != Role::bevel_i;
+                const bool follows = c.role == Role::wheel_j || c.role == Role::bevel_j;
+                const V3 s_j_unit = s_j / to_real(g.s_j_local).norm();
+                const V3 u = of_j ? V3(A_j * to_real(g.u_j_local)) : V3(A_i * to_real(g.u_i_local));
+                const V3 s = of_j ? s_j_unit : unit;
+                V3 e = d;
+                if (c.role == Role::rack_angle) { e = unit; }
+                if (c.role == Role::bevel_i || c.role == Role::bevel_j) { e = unit.cross(s_j_unit); }
+                const Real angle = follows ? Real(g.ratio) * theta : theta;
+                all = {e.cross(u).dot(s) * std::cos(angle) - e.dot(u) * std::sin(angle)};
+                break;
+            }
+            case Role::curve_x:
+            case Role::curve_y:
+            case Role::curve_z: {
+                const int k = static_cast<int>(c.role) - static_cast<int>(Role::curve_x);
+                Real of_curve = Real(g.curve.constant(k)) + Real(g.curve.linear(k)) * theta;
+                for (std::size_t n = 0; n < g.curve.harmonics.size(); ++n) {
+                    const Real angle = Real(n + 1) * theta;
+                    of_curve += Real(g.curve.harmonics[n].cos(k)) * std::cos(angle) +
+                                Real(g.curve.harmonics[n].sin(k)) * std::sin(angle);
+                }
+                all = {A_i.col(k).dot(d) - of_curve};
+                break;
+            }
+            case Role::rack_advance:
+                all = {unit.dot(d) - Real(g.d_0) - Real(g.alpha) * (theta - Real(g.theta_0))};
+                break;
         }
         for (std::size_t k = 0; k < all.size(); ++k) {
             if (c.has_row(static_cast<int>(k))) { rows.push_back(all[k]); }

@@ -70,6 +70,54 @@ public:
         return joint;
     }
 
+    /// Wheels that mesh in this pose with θ = 0: both u lie on their line. A rack has its direction in place
+    /// of the axis of i.
+    Joint& add_wheels(
+        std::string_view type, int i, int j, const Vec3& centre_i, const Vec3& centre_j, const Vec3& axis_i,
+        const Vec3& axis_j, double ratio) {
+        Joint& joint = add_joint(type, i, j, centre_i, axis_i);
+        JointGeometry& g = joint.geometry;
+        const Vec3 s_i = axis_i.normalized();
+        const Vec3 s_j = axis_j.normalized();
+        const Vec3 d = centre_j - centre_i;
+        g.P_j_local = local_point(j, centre_j);
+        g.s_j_local = local(j, s_j);
+        Vec3 line = s_i;
+        if (joint.type->uses(Role::wheel_i)) { line = d - s_i.dot(d) * s_i; }
+        if (joint.type->uses(Role::bevel_i)) { line = s_i.cross(s_j); }
+        if (!joint.type->uses(Role::rack_angle)) { g.u_i_local = local(i, line.normalized()); }
+        g.u_j_local = local(j, line.normalized());
+        g.ratio = g.alpha = ratio;
+        g.d_0 = s_i.dot(d);
+        return joint;
+    }
+    /// A point of j on a curve of i, at this pose at the parameter θ.
+    Joint& add_curve(int i, int j, const Vec3& point, double theta, Curve curve) {
+        Joint& joint = add_joint("curve", i, j, point, Vec3::UnitZ());
+        joint.geometry.P_i_local -= curve.at(theta).c;
+        joint.geometry.theta_start = theta;
+        joint.geometry.curve = std::move(curve);
+        return joint;
+    }
+
+    /// The same in any place, far enough apart that bodies which nothing else holds keep their line: parallel
+    /// axes, or two that are not.
+    Joint& add_any_wheels(
+        std::string_view type, int i, int j, const Vec3& centre, const Vec3& axis, double size = 3.0) {
+        if (find_joint_type(type)->uses(Role::curve_x)) {
+            Curve curve{
+                Vec3::Zero(),
+                0.2 * size * axis.normalized(),
+                {{size * Vec3(1.0, 0.0, 0.2), size * Vec3(0.0, 1.2, 0.0)}}};
+            return add_curve(i, j, centre, 0.4, std::move(curve));
+        }
+        const Vec3 across = perpendicular_to(axis);
+        const bool is_parallel = find_joint_type(type)->uses(Role::wheel_i);
+        const bool is_bevel = find_joint_type(type)->uses(Role::bevel_i);
+        const Vec3 axis_j = is_parallel ? axis : is_bevel ? Vec3(across + 0.4 * axis) : across;
+        return add_wheels(type, i, j, centre, centre + size * across + 0.1 * size * axis, axis, axis_j, -1.5);
+    }
+
     /// Sets the global directions (at this pose) from which the joint's angle is measured.
     void measure_angle(Joint& joint, const Vec3& u_i, const Vec3& u_j) const {
         joint.geometry.u_i_local = local(joint.body_i, u_i.normalized());

@@ -200,6 +200,55 @@ inline Mechanism bricard(double theta) {
     return revolute_chain(links);
 }
 
+/// Sun (1) and carrier (2) on the ground, a planet (3) on the carrier that meshes with the sun by `outer`
+/// (turns of the planet for one of the sun) and with a ring on the ground by `inner` (of the ring for one of
+/// the planet), both on the carrier.
+inline Mechanism planetary_gear(double outer, double inner, const Vec3& axis = Vec3(2.0, -1.0, 2.0)) {
+    SceneBuilder scene;
+    const Vec3 arm = 1.05 * perpendicular_to(axis);
+    const int sun = scene.add_body("sun", Vec3(0.1, 0.0, 0.2));
+    const int carrier = scene.add_body("carrier", 0.5 * arm);
+    const int planet = scene.add_body("planet", arm + Vec3(0.0, 0.1, 0.0));
+    scene.add_joint("revolute", 0, sun, Vec3::Zero(), axis);
+    scene.add_joint("revolute", 0, carrier, Vec3::Zero(), axis);
+    scene.add_joint("revolute", carrier, planet, arm, axis);
+    scene.add_wheels("gear", sun, planet, Vec3::Zero(), arm, axis, axis, outer);
+    scene.add_wheels("gear", planet, 0, arm, Vec3::Zero(), axis, axis, inner);
+    return scene.mechanism;
+}
+
+/// Left (1) and right (2) wheel and case (3) about one axis, a planet (4) on the case that meshes with both.
+inline Mechanism differential() {
+    SceneBuilder scene;
+    const Vec3 x = Vec3(1.0, 2.0, -2.0) / 3.0;
+    const Vec3 z = perpendicular_to(x);
+    const int left = scene.add_body("left", -2.0 * x);
+    const int right = scene.add_body("right", 2.0 * x);
+    const int box = scene.add_body("case", 0.5 * z);
+    const int planet = scene.add_body("planet", 0.5 * z);
+    scene.add_joint("revolute", 0, left, -1.5 * x, x);
+    scene.add_joint("revolute", 0, right, 1.5 * x, x);
+    scene.add_joint("revolute", 0, box, Vec3::Zero(), x);
+    scene.add_joint("revolute", box, planet, 1.0 * z, z);
+    scene.add_wheels("bevel-gear", left, planet, -0.5 * x, 0.5 * z, x, z, 1.0);
+    scene.add_wheels("bevel-gear", right, planet, 0.5 * x, 0.5 * z, x, z, -1.0);
+    return scene.mechanism;
+}
+
+/// A pinion (1) of radius r on the ground, and a rack (2) that slides across its axis.
+inline Mechanism rack_and_pinion(double r) {
+    SceneBuilder scene;
+    const Vec3 axis = Vec3(2.0, 2.0, 1.0) / 3.0;
+    const Vec3 along = perpendicular_to(axis);
+    const Vec3 below = r * axis.cross(along);
+    const int pinion = scene.add_body("pinion", Vec3(0.02, 0.0, 0.0));
+    const int rack = scene.add_body("rack", below);
+    scene.add_joint("revolute", 0, pinion, Vec3::Zero(), axis);
+    scene.add_joint("prismatic", 0, rack, below, along);
+    scene.add_wheels("rack", rack, pinion, below, Vec3::Zero(), along, axis, r);
+    return scene.mechanism;
+}
+
 /// Nut on a fixed spindle along `axis` through the origin, at angle θ and advance α θ.
 inline Mechanism screw(
     double theta, double alpha, ScrewAngleForm form, const Vec3& axis = Vec3(1.0, 2.0, 2.0)) {

@@ -59,6 +59,7 @@ Json value_of(const Key& key) {
         case KeyKind::vector:
         case KeyKind::direction: return definition("vector");
         case KeyKind::numbers: return list_of(definition("number"), key.least, key.most);
+        case KeyKind::vectors: return list_of(definition("vector"), key.least, key.most);
         case KeyKind::tensor: return tensor();
         case KeyKind::texts:
         case KeyKind::list_of_words: return list_of({{"type", "string"}}, key.least, key.most);

@@ -53,6 +53,9 @@ class Mechanism:
         axis2: ArrayLike | None = None,
         side: ArrayLike | None = None,
         pitch: float | None = None,
+        ratio: float | None = None,
+        radius: float | None = None,
+        curve: ArrayLike | None = None,
     ) -> int: ...
     def add_driver(self, name: str, joint: int | str, value: ArrayLike) -> int: ...
     def set_velocity(self, body: int | str, r_dot: ArrayLike, omega_local: ArrayLike) -> None: ...

@@ -38,8 +38,17 @@ const char* kind_of(const N1Pair& /*c*/) { return "n1 pair"; }
 const char* kind_of(const N2Pair& /*c*/) { return "n2 pair"; }
 const char* kind_of(const ScrewAdvance& /*c*/) { return "screw advance"; }
 const char* kind_of(const ScrewAngle& /*c*/) { return "screw angle"; }
+const char* kind_of(const Wheel& /*c*/) { return "wheel"; }
+const char* kind_of(const OnCurve& /*c*/) { return "on curve"; }
 
 Json field(double value) { return number(value); }
+Json field(bool value) { return value; }
+Json field(const std::vector<std::array<double, 2>>& pairs) {
+    Json all = Json::array();
+    for (const auto& [of_cosine, of_sine] : pairs) { all.push_back({number(of_cosine), number(of_sine)}); }
+    return all;
+}
+Json field(WheelLine line) { return std::string(name_of(line)); }
 Json field(const Vec3& value) { return jw::json_of(value); }
 Json field(ScrewAngleForm form) {
     switch (form) {

@@ -28,15 +28,25 @@ struct Picture {
 };
 
 /// Lengths of a joint's glyph and vectors that are the same in all pictures [m].
+/// Teeth of the two wheels of a joint. A wheel that meshes with several others has the same teeth in all of
+/// its joints.
+struct WheelStyle {
+    int teeth_i = 0;
+    int teeth_j = 0;
+    double offset_i = 0.0;  ///< of a tooth from where the wheels meet at θ = 0, in teeth
+    double offset_j = 0.5;
+};
+
 struct JointStyle {
     double aside_i = 0.0;  ///< from its line to where s_i is visible beside the bodies
     double aside_j = 0.0;  ///< the same for s_j
     double side = 0.0;     ///< from the point P along h and u to the surface of the bodies
     double lift_i = 0.0;   ///< along the axis to where h_i (u_i of a screw) is visible
     double lift_j = 0.0;   ///< the same for h_j (u_j)
-    double lowest = 0.0;   ///< smallest s_iᵀ d over the story, at most 0: the bar reaches P_i
+    double lowest = 0.0;  ///< smallest s_iᵀ d (θ on a curve) over the story, at most 0: the bar reaches P_i
     double highest = 0.0;
     double farthest = 0.0;  ///< largest distance of P_j from that line [m]
+    WheelStyle wheels;      ///< of gears and racks
 };
 
 /// Properties that all pictures of a story share, found once, so that nothing grows, shrinks or jumps between

@@ -55,6 +55,12 @@ public:
             case JointGlyph::rod_from_cross_to_ball: return rod_from_cross_to_ball();
             case JointGlyph::bead_on_bar: return bead_on_bar();
             case JointGlyph::bead_on_plate: return bead_on_plate();
+            case JointGlyph::bead_on_curve: return bead_on_curve();
+            case JointGlyph::gear:
+            case JointGlyph::bevel:
+            case JointGlyph::belt:
+            case JointGlyph::rack:
+                return add_wheels(*style_, j_, {colour_i_, colour_j_}, highlighted_, *scene_);
         }
     }
 
@@ -177,6 +183,22 @@ private:
         const auto [from, to] = guide();
         add(render::Cylinder{from, to, g_}, palette::kSteel);
         add(render::Sphere{j_.P_j, 2.2 * g_}, colour_j_);
+    }
+    void bead_on_curve() {
+        const Curve& curve = j_.joint->geometry.curve;
+        const JointStyle& range = style_->joints[static_cast<std::size_t>(j_.index)];
+        const double from = curve.is_closed() ? 0.0 : range.lowest - 0.5;
+        const double to = curve.is_closed() ? kWholeTurn : range.highest + 0.5;
+        const int parts = std::clamp(
+            static_cast<int>(std::ceil(
+                (to - from) * 16.0 * std::max<double>(1.0, static_cast<double>(curve.harmonics.size())) /
+                kWholeTurn)),
+            32, 400);
+        const auto at = [&](int k) {
+            return Vec3(j_.P_i + j_.frame_i.A * curve.at(from + (to - from) * k / parts).c);
+        };
+        for (int k = 0; k < parts; ++k) { add(render::Rod{at(k), at(k + 1), 0.6 * g_}, colour_i_); }
+        add(render::Sphere{j_.P_j, 1.7 * g_}, colour_j_);
     }
     void bead_on_plate() {
         add(render::Sphere{j_.P_j, 1.7 * g_}, colour_j_);

@@ -57,6 +57,18 @@ void add_joint(
     const Lesson& lesson, const PictureStyle& style, const PlacedJoint& joint, bool highlighted,
     render::Scene& scene);
 
+/// Teeth of a joint's wheels, which fit those of the joints before it; none if it has no wheels.
+/// @param style  with the styles of the joints before it
+WheelStyle wheel_style(const Mechanism& mechanism, const PictureStyle& style, int joint, const State& state);
+struct WheelColours {
+    render::Colour i;
+    render::Colour j;
+};
+/// Adds the wheels of a gear, a belt or a rack.
+void add_wheels(
+    const PictureStyle& style, const PlacedJoint& joint, const WheelColours& colours, bool highlighted,
+    render::Scene& scene);
+
 /// Points and vectors of the joint that the step is about, with their names.
 void add_vectors(const PictureStyle& style, const PlacedJoint& joint, Picture& picture);
 /// A dashed line where the two points of a joint should meet but do not.

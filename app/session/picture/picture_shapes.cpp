@@ -90,6 +90,19 @@ std::vector<Shape> handle(const Attachment& joint, double unit, double radius) {
     return {Rod{joint.point, end, radius}, Sphere{end, 2.0 * radius}};
 }
 
+/// The hub of a wheel, or a short bar along a rack: their joints draw the rest.
+std::optional<Shape> hub(const Lesson& lesson, int body, double radius) {
+    for (const Joint& joint : lesson.mechanism.joints) {
+        if (joint.type->artificial == 0 || joint.type->has_angle()) { continue; }
+        if (joint.body_i != body && joint.body_j != body) { continue; }
+        const JointGeometry& g = joint.geometry;
+        const Vec3& P = joint.body_i == body ? g.P_i_local : g.P_j_local;
+        const Vec3 s = (joint.body_i == body ? g.s_i_local : g.s_j_local).normalized();
+        return Cylinder{P - 2.4 * radius * s, P + 2.4 * radius * s, 2.2 * radius};
+    }
+    return std::nullopt;
+}
+
 /// Rods from joint to joint, or from the middle of more than two to each of them.
 std::vector<Shape> rods(const std::vector<Attachment>& joints, double unit, double radius) {
     if (joints.empty()) { return {Box{Vec3(8.0, 6.0, 4.0) * radius}}; }
@@ -112,6 +125,9 @@ std::vector<Shape> local_shapes(const Lesson& lesson, int body, double unit, con
     if (lesson.mechanism.bodies[b].fixed) {
         const Mat3 A = rotation_matrix(lesson.mechanism.bodies[b].p.normalized());
         return stands(joints, A.transpose() * up, pin);
+    }
+    if (joints.size() <= 1) {
+        if (const std::optional<Shape> shape = hub(lesson, body, pin)) { return {*shape}; }
     }
     return rods(joints, unit, 0.9 * pin);
 }

@@ -142,9 +142,12 @@ JointStyle joint_style(
     const bool screw = j.joint->type->uses(kSidesU);
     found.lift_i = lift_of(solid, j.P_i, screw ? j.u_i : j.h_i, found.side, style.unit);
     found.lift_j = lift_of(solid, j.P_j, screw ? j.u_j : j.h_j, found.side, style.unit);
+    const int theta = mechanism.theta_indices()[at(joint)];
     const auto reach = [&](const State& pose) {
         const PlacedJoint now = placed(mechanism, joint, pose);
-        const double d = now.displacement();
+        const double d = theta >= 0 && j.joint->type->uses(Role::curve_x)
+                             ? pose.theta[static_cast<std::size_t>(theta)]
+                             : now.displacement();
         found.lowest = std::min(found.lowest, d);
         found.highest = std::max(found.highest, d);
         found.farthest = std::max(found.farthest, (now.P_j - now.P_i - d * now.s_i).norm());
@@ -227,6 +230,7 @@ PictureStyle picture_style(const Story& story) {
     const std::vector<Arrival> arrivals = arrivals_in(story);
     for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
         style.joints.push_back(joint_style(story, style, j, arrivals[at(j)], moments));
+        style.joints.back().wheels = wheel_style(mechanism, style, j, *arrivals[at(j)].closed);
     }
     set_traced_point(story, style);
     set_reaction_scales(story, style);

@@ -25,7 +25,8 @@ struct NumberKey {
 };
 constexpr std::array kNumbers{
     NumberKey{"length", &JointGeometry::length}, NumberKey{"alpha", &JointGeometry::alpha},
-    NumberKey{"d_0", &JointGeometry::d_0}, NumberKey{"theta_0", &JointGeometry::theta_0}};
+    NumberKey{"d_0", &JointGeometry::d_0}, NumberKey{"theta_0", &JointGeometry::theta_0},
+    NumberKey{"ratio", &JointGeometry::ratio}};
 
 struct OptionalKey {
     const char* name;
@@ -67,7 +68,9 @@ void read_member(Words& words, JointGeometry& g) {
         if (key == k.name) { g.*k.member = words.vector(key); }
     }
     for (const NumberKey& k : kNumbers) {
-        if (key == k.name) { g.*k.member = words.number(key); }
+        if (key != k.name) { continue; }
+        g.*k.member = words.number(key);
+        if (k.member == &JointGeometry::ratio) { g.radii = {}; }
     }
     for (const OptionalKey& k : kOptional) {
         if (key != k.name) { continue; }

@@ -62,7 +62,7 @@ JointGeometry without_minus_zeros(JointGeometry g) {
           &g.u_j_local}) {
         *v += Vec3::Zero();
     }
-    for (double* x : {&g.length, &g.alpha, &g.d_0, &g.theta_0}) { *x += 0.0; }
+    for (double* x : {&g.length, &g.alpha, &g.d_0, &g.theta_0, &g.ratio}) { *x += 0.0; }
     for (std::optional<double>* x : {&g.theta_start, &g.theta_dot_start}) {
         if (*x) { **x += 0.0; }
     }

@@ -50,7 +50,16 @@ std::string gap_text(const System& system, const Contradiction& c) {
         case Role::sides_perpendicular:
             return tr("the sides of {0} stay {1} off a right angle", joint, angle);
         case Role::length: return tr("the points of {0} stay {1} off their distance", joint, metres);
-        case Role::screw_advance: return tr("the advance of {0} stays off by {1}", joint, metres);
+        case Role::screw_advance:
+        case Role::rack_advance: return tr("the advance of {0} stays off by {1}", joint, metres);
+        case Role::curve_x:
+        case Role::curve_y:
+        case Role::curve_z: return tr("the point of {0} stays {1} off its curve", joint, metres);
+        case Role::wheel_j:
+        case Role::bevel_j: return tr("the second wheel of {0} stays {1} off its angle", joint, angle);
+        case Role::wheel_i:
+        case Role::bevel_i:
+        case Role::rack_angle:
         case Role::screw_angle: break;
     }
     return tr("θ of {0} stays {1} off the angle between its bodies", joint, angle);

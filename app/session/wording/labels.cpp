@@ -15,6 +15,22 @@ std::string combined(const std::string& name, const std::string& body) {
     return R"(\boldsymbol{\Phi}^{()" + name + R"()} \equiv )" + body;
 }
 
+/// Equation of a wheel's angle, from the line e to u about s.
+std::string wheel_formula(
+    const std::string& name, const std::string& e, const std::string& body, const std::string& angle) {
+    const std::string u = R"(\mathbf{u}_)" + body;
+    return combined(
+        name, "(" + e + R"( \times )" + u + R"()^T \mathbf{s}_)" + body + R"( \cos )" + angle + " - (" + e +
+                  ")^T " + u + R"( \sin )" + angle + " = 0");
+}
+
+/// Equation of a component of a point on a curve.
+std::string curve_formula(const std::string& axis) {
+    return combined(
+        "c " + axis + ",1",
+        R"(\mathbf{e}_)" + axis + R"(^T \mathbf{A}_i^T \mathbf{d} - c_)" + axis + R"((\theta) = 0)");
+}
+
 /// Marks of each primitive; the count in the superscript is that of independent equations, as on the slides.
 std::string formula_of(Role role, const Joint& joint) {
     const bool pair = joint.parallel_form == ParallelForm::pair;
@@ -38,6 +54,18 @@ std::string formula_of(Role role, const Joint& joint) {
         case Role::sides_perpendicular: return combined("n1,1", R"(\mathbf{h}_i^T \mathbf{h}_j = 0)");
         case Role::length: return combined("d,1", R"(\mathbf{d}^T \mathbf{d} - L^2 = 0)");
         case Role::screw_advance: return combined("r,1", R"((d - d^0) - \alpha\,(\theta - \theta^0) = 0)");
+        case Role::curve_x: return curve_formula("x");
+        case Role::curve_y: return curve_formula("y");
+        case Role::curve_z: return curve_formula("z");
+        case Role::rack_advance: return combined("r,1", R"((d - d^0) - r\,(\theta - \theta^0) = 0)");
+        case Role::rack_angle: return wheel_formula(R"(\theta,1)", R"(\mathbf{s}_i)", "j", R"(\theta)");
+        case Role::wheel_i: return wheel_formula(R"(\theta i,1)", R"(\mathbf{d})", "i", R"(\theta)");
+        case Role::wheel_j: return wheel_formula(R"(\theta j,1)", R"(\mathbf{d})", "j", R"((n\,\theta))");
+        case Role::bevel_i:
+            return wheel_formula(R"(\theta i,1)", R"(\tilde{\mathbf{s}}_i \mathbf{s}_j)", "i", R"(\theta)");
+        case Role::bevel_j:
+            return wheel_formula(
+                R"(\theta j,1)", R"(\tilde{\mathbf{s}}_i \mathbf{s}_j)", "j", R"((n\,\theta))");
         case Role::screw_angle: break;
     }
     switch (joint.geometry.screw_angle_form) {

@@ -31,6 +31,7 @@ public:
     void take_back_rows() override;
     void begin_turns(double t, const double* y) override { tell_turns_at(Turns::of_start, t, y); }
     void follow_turns(double t, const double* y) override { tell_turns_at(Turns::of_motion, t, y); }
+    bool counts_turns() const override { return counts_turns_; }
     std::pair<double, double> violation(double t, const double* y) override;
     MatrixX free_motions(double t, const double* y) override;
     bool free_motion(

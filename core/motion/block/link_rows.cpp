@@ -32,9 +32,9 @@ LinkRows::LinkRows(const Centroidal& scene, std::vector<Link> links, const Baumg
         const int j = order_of_body_[at(link.body_j)];
         if (i < 0 && j < 0) { continue; }  // between fixed bodies
         const unsigned all = (1U << link.rows) - 1U;
-        has_screws_ = has_screws_ || std::ranges::any_of(link.equations, [](const LinkEquation& e) {
-                          return std::holds_alternative<ScrewTurned>(e.primitive);
-                      });
+        counts_turns_ = counts_turns_ || std::ranges::any_of(link.equations, [](const LinkEquation& e) {
+                            return jw::counts_turns(e.primitive);
+                        });
         nodes_.push_back({std::move(link), i, j, all});
     }
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -66,7 +66,7 @@ template void LinkRows::set_bodies<false>(const double*);
 template void LinkRows::set_bodies<true>(const double*);
 
 void LinkRows::tell_turns_at(Turns turns, double t, const double* y) {
-    if (!has_screws_) { return; }
+    if (!counts_turns_) { return; }
     set_bodies<true>(y);
     for (Node& node : nodes_) {
         for (LinkEquation& equation : node.link.equations) {

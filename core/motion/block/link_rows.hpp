@@ -56,12 +56,11 @@ protected:
     std::vector<double> phi_;          ///< B numbers per link, like the next two
     std::vector<double> nu_;
     std::vector<double> gamma_;
+    bool counts_turns_ = false;
 
 private:
     template <class Jet>
     void write_jacobian(std::size_t n, const LinkEquation& equation, const Jet& jet);
-
-    bool has_screws_ = false;
 };
 
 extern template void LinkRows::set_bodies<false>(const double*);

@@ -140,15 +140,15 @@ void DenseEquations<C>::state_of(const double* value, const double* rate, double
     from_flat(flat.data(), y);
 }
 
-/// Finds θ and θ̇ of every screw: the angle between its bodies, with the turns nearest to the previous value.
+/// Finds every θ and θ̇: the angle that it follows, with the turns nearest to the previous value.
 template <class C>
 void DenseEquations<C>::find_thetas() {
     std::size_t theta = 0;
     for (const Joint& joint : scene_->mechanism.joints) {
         if (joint.type->artificial == 0) { continue; }
         double& value = state_.theta[theta];
-        value += std::remainder(relative_angle(joint, state_) - value, 2.0 * std::numbers::pi);
-        motion_.theta_dot[theta] = angle_rate(joint, state_, motion_);
+        value = artificial_angle_near(joint, state_, value);
+        motion_.theta_dot[theta] = artificial_rate(joint, state_, motion_, value);
         ++theta;
     }
 }

@@ -65,7 +65,7 @@ TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>&
     }
     for (const Link& link : links_) {
         for (const LinkEquation& equation : link.equations) {
-            has_screws_ = has_screws_ || std::holds_alternative<ScrewTurned>(equation.primitive);
+            counts_turns_ = counts_turns_ || jw::counts_turns(equation.primitive);
             Row row;
             const CoordinateMeasure* asked = coordinate_asked_by(equation);
             needs_p_ = needs_p_ || (asked != nullptr && asked->coordinate >= 3);
@@ -103,7 +103,7 @@ TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>&
 
 /// Counts the turns of screws that close loops; those of the tree have their angle as a coordinate.
 void TreeEquations::tell_turns_at(Turns turns, double t, const double* y) {
-    if (!has_screws_) { return; }
+    if (!counts_turns_) { return; }
     place(y);
     set_bodies(y);
     for (Link& link : links_) {

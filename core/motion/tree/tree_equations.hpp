@@ -49,6 +49,7 @@ public:
     void take_back_rows() override;
     void begin_turns(double t, const double* y) override { tell_turns_at(Turns::of_start, t, y); }
     void follow_turns(double t, const double* y) override { tell_turns_at(Turns::of_motion, t, y); }
+    bool counts_turns() const override { return counts_turns_; }
     double smallest_pivot() const override { return smallest_pivot_; }
     std::pair<double, double> violation(double t, const double* y) override;
     int rows() const override { return static_cast<int>(rows_.size()); }
@@ -141,7 +142,7 @@ private:
     std::vector<int> looked_at_;                      ///< moving bodies that loads and cut joints refer to
     std::vector<bool> needs_motion_;                  ///< bodies of springs and cut joints
     bool needs_p_ = false;                            ///< whether a driver prescribes one of e0 ... e3
-    bool has_screws_ = false;                         ///< whether the equations contain screws
+    bool counts_turns_ = false;                       ///< whether the equations contain screws
     std::vector<BodyForce> forces_;
     std::vector<double> e_of_rows_;
     std::vector<double> e_by_D_;

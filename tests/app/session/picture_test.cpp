@@ -53,6 +53,13 @@ TEST_CASE("the glyph of every joint is at the joint and alone is highlighted", "
         CHECK(is_finite(picture));
         if (bare) { continue; }
         const render::Bounds bounds = bounds_of(glyph);
+        if (type.artificial > 0 && !type.has_angle()) {
+            // wheels reach from one centre to the other, a curve goes far from its bead
+            const Vec3 P_j = placed(lesson.mechanism, 0, story.steps().front().state).P_j;
+            CHECK(((P_j - bounds.lowest()).array() > 0.0).all());
+            CHECK(((bounds.highest() - P_j).array() > 0.0).all());
+            continue;
+        }
         const double room = type.has_distance() ? 0.25 : 0.0;  // from the middle of the rod to its end
         CHECK((bounds.centre() - kPoint).norm() < room + 0.06 * style.unit);
         CHECK(bounds.diagonal() < 2.0 * room + 0.3 * style.unit);

@@ -18,6 +18,53 @@ Taylor euler_parameter(const Placed& body, int number) {
     return {body.p[number], rate[number], second[number]};
 }
 
+/// c(u) of a curve and its first two derivatives.
+std::array<Vec3, 3> curve_at(const OffCurve& m, Real u) {
+    std::array<Vec3, 3> out{m.constant + u * m.linear, m.linear, Vec3::Zero()};
+    for (std::size_t n = 0; n < m.waves.size(); ++n) {
+        const Real k = static_cast<Real>(n + 1);
+        const Real c = std::cos(k * u);
+        const Real s = std::sin(k * u);
+        out[0] += c * m.waves[n].cos + s * m.waves[n].sin;
+        out[1] += k * (c * m.waves[n].sin - s * m.waves[n].cos);
+        out[2] -= k * k * (c * m.waves[n].cos + s * m.waves[n].sin);
+    }
+    return out;
+}
+
+/// Parameter of the nearest point, by looking everywhere and halving.
+Real nearest_on(const OffCurve& m, const Vec3& point) {
+    const auto distance = [&](Real u) { return (curve_at(m, u)[0] - point).squaredNorm(); };
+    const Real square = m.linear.squaredNorm();
+    const Real middle = square > 0.0L ? m.linear.dot(point - m.constant) / square : 0.0L;
+    Real best = middle;
+    const int looks = 400 * static_cast<int>(m.waves.size() + 1);
+    for (int k = -looks; k <= looks; ++k) {
+        const Real u = middle + 2.0L * kPi * k / looks;
+        if (distance(u) < distance(best)) { best = u; }
+    }
+    // the slope of the distance changes its sign between the neighbours
+    const auto slope = [&](Real u) {
+        const auto c = curve_at(m, u);
+        return c[1].dot(c[0] - point);
+    };
+    Real low = best - 2.0L * kPi / looks;
+    Real high = best + 2.0L * kPi / looks;
+    for (int n = 0; n < 80; ++n) {
+        const Real half = 0.5L * (low + high);
+        (slope(half) < 0.0L ? low : high) = half;
+    }
+    return 0.5L * (low + high);
+}
+
+/// Directions across a curve: along e_z if the curve is not, and across both.
+std::array<Vec3, 2> across(const Vec3& tangent) {
+    Eigen::Index least = 0;
+    tangent.cwiseAbs().minCoeff(&least);
+    const Vec3 a = tangent.cross(Vec3::Unit(least)).normalized();
+    return {a, tangent.normalized().cross(a)};
+}
+
 /// Values of measures.
 struct Value {
     const PlacedBodies& bodies;
@@ -54,6 +101,49 @@ struct Value {
         const ThreadAngle& thread = m.angle;
         Taylor out = (*this)(thread.along) - thread.alpha * (*this)(thread);
         out.value -= thread.d_0 - thread.alpha * thread.theta_0;
+        return out;
+    }
+    TaylorVector line_of(const WheelAngle& m) const {
+        switch (m.line) {
+            case WheelAngle::Line::centres: return between(bodies, m.from, m.to);
+            case WheelAngle::Line::normal: return cross(direction_of(bodies, m.a), direction_of(bodies, m.b));
+            case WheelAngle::Line::rack: break;
+        }
+        return direction_of(bodies, m.a);
+    }
+    Taylor operator()(const WheelAngle& m) const {
+        const TaylorVector e = line_of(m);
+        const TaylorVector u = direction_of(bodies, m.u);
+        return angle_of(dot(cross(e, u), direction_of(bodies, m.s)), dot(e, u));
+    }
+    Taylor operator()(const Mesh& m) const {
+        Taylor out = (*this)(m.second) - m.ratio * (*this)(m.first);
+        Real best = 2.0L * kPi;
+        const Real turned = out.value;
+        for (int turns = -40; turns <= 40; ++turns) {
+            const Real left = std::remainder(turned - 2.0L * kPi * m.ratio * turns, 2.0L * kPi);
+            if (std::abs(left) < std::abs(best)) { best = left; }
+        }
+        out.value = best;
+        return out;
+    }
+    Taylor operator()(const OffCurve& m) const {
+        TaylorVector y;
+        for (int k = 0; k < 3; ++k) {
+            const Taylor component = (*this)(Along{{m.from.body, Vec3::Unit(k)}, m.from, m.to});
+            y.value[k] = component.value;
+            y.rate[k] = component.rate;
+            y.second[k] = component.second;
+        }
+        const Real u = nearest_on(m, y.value);
+        const auto c = curve_at(m, u);
+        const Real u_rate = c[1].dot(y.rate) / c[1].squaredNorm();
+        const Vec3 n = across(c[1])[m.second ? 1 : 0];
+        return {n.dot(y.value - c[0]), n.dot(y.rate), n.dot(y.second) - u_rate * u_rate * n.dot(c[2])};
+    }
+    Taylor operator()(const Rolling& m) const {
+        Taylor out = (*this)(m.along) - m.alpha * (*this)(m.angle);
+        out.value = std::remainder(out.value - m.d_0 + m.alpha * m.theta_0, 2.0L * kPi * m.alpha);
         return out;
     }
 };
@@ -107,6 +197,22 @@ public:
         angle(m.angle.angle, -m.angle.alpha);
     }
 
+    void operator()(const OffCurve& m) {
+        const Mat3& A = at(bodies_, m.from.body).A;
+        const Vec3 y = A.transpose() * distance(m.from, m.to);
+        const Vec3 n = across(curve_at(m, nearest_on(m, y))[1])[m.second ? 1 : 0];
+        (*this)(Along{{m.from.body, n}, m.from, m.to});
+    }
+    void operator()(const WheelAngle& m) { wheel(m, 1.0L); }
+    void operator()(const Mesh& m) {
+        wheel(m.second, 1.0L);
+        wheel(m.first, -m.ratio);
+    }
+    void operator()(const Rolling& m) {
+        (*this)(m.along);
+        wheel(m.angle, -m.alpha);
+    }
+
     Gradient take() { return std::move(pulls_); }
 
 private:
@@ -138,6 +244,31 @@ private:
         turn(m.s, of_S * u_i.cross(u_j));
         turn(m.u_i, of_S * u_j.cross(s) + of_C * u_j);
         turn(m.u_j, of_S * s.cross(u_i) + of_C * u_i);
+    }
+
+    /// The same with a line e in place of u_i: its change is passed on to what it is made of.
+    void wheel(const WheelAngle& m, Real weight) {
+        const bool of_centres = m.line == WheelAngle::Line::centres;
+        const bool of_axes = m.line == WheelAngle::Line::normal;
+        const Vec3 s = arm(m.s);
+        const Vec3 u = arm(m.u);
+        const Vec3 e = of_centres ? distance(m.from, m.to) : of_axes ? arm(m.a).cross(arm(m.b)) : arm(m.a);
+        const Real S = e.cross(u).dot(s);
+        const Real C = e.dot(u);
+        const Real of_S = weight * C / (S * S + C * C);
+        const Real of_C = -weight * S / (S * S + C * C);
+        turn(m.s, of_S * e.cross(u));
+        turn(m.u, of_S * s.cross(e) + of_C * e);
+        const Vec3 g = of_S * u.cross(s) + of_C * u;
+        if (of_centres) {
+            part(m.from, m.to, g);
+        } else if (of_axes) {
+            // g · (a × b) = a · (b × g) = b · (g × a)
+            turn(m.a, arm(m.b).cross(g));
+            turn(m.b, g.cross(arm(m.a)));
+        } else {
+            turn(m.a, g);
+        }
     }
 
     const PlacedBodies& bodies_;

@@ -107,9 +107,52 @@ struct Thread {
     ThreadAngle angle;
 };
 
+/// Angle of a wheel about its unit axis s, from a line to u: the line from centre to centre, the common
+/// normal of two axes, or the direction of a rack.
+struct WheelAngle {
+    enum class Line { centres, normal, rack };
+    Line line = Line::centres;
+    Fixed s;
+    Fixed u;
+    Fixed from;  ///< centres
+    Fixed to;
+    Fixed a;  ///< axes of both wheels, or a is the direction of the rack
+    Fixed b;
+};
+/// The angle of the second wheel less `ratio` times that of the first, with the turns of the first that fit
+/// best.
+struct Mesh {
+    WheelAngle first;
+    WheelAngle second;
+    Real ratio = 1.0L;
+};
+/// along - d_0 - alpha (angle - theta_0), with the turns of the angle that fit best.
+struct Rolling {
+    WheelAngle angle;
+    Along along;          ///< its direction is unit
+    Real alpha = 1.0L;    ///< [m/rad]
+    Real d_0 = 0.0L;      ///< [m]
+    Real theta_0 = 0.0L;  ///< [rad]
+};
+
+/// A component of to - from, in the axes of the body of `from`, less that of its nearest point on a curve of
+/// the body: the first or the second direction across the curve.
+struct OffCurve {
+    struct Wave {
+        Vec3 cos;
+        Vec3 sin;
+    };
+    Fixed from;
+    Fixed to;
+    Vec3 constant = Vec3::Zero();
+    Vec3 linear = Vec3::Zero();
+    std::vector<Wave> waves;  ///< of u, 2 u, ...
+    bool second = false;
+};
+
 using Measure = std::variant<
-    Product, CrossProduct, Along, CrossDistance, Gap, SquaredDistance, Angle, Coordinate, ThreadAngle,
-    Thread>;
+    Product, CrossProduct, Along, CrossDistance, Gap, SquaredDistance, Angle, Coordinate, ThreadAngle, Thread,
+    WheelAngle, Mesh, Rolling, OffCurve>;
 
 /// measure = constant + f(t), or (f(t))² for a squared distance that is driven.
 struct Equation {

@@ -116,8 +116,8 @@ private:
         if (number <= 0) { return; }
         const bool known = joint.parallel_form == ParallelForm::pair;
         std::vector<EquationOut> all;
+        if (joint.type->artificial > 0) { return; }
         for (const Role role : joint.type->roles) {
-            if (role == Role::screw_advance || role == Role::screw_angle) { return; }
             if (is_parallel(role) && !known) { continue; }
             // two bodies held along one global axis feel a couple that the ground would have to take
             if (role == Role::same_point && out_.recipe.afloat) { continue; }
@@ -306,6 +306,16 @@ private:
     void set_theta_rates(const general::PlacedBodies& placed) {
         for (Joint& joint : mechanism().joints) {
             if (joint.type->artificial == 0) { continue; }
+            if (joint.type->uses(Role::curve_x)) {
+                // the rate of the start pose follows from the bodies
+                joint.geometry.theta_dot_start = std::nullopt;
+                continue;
+            }
+            if (!joint.type->has_angle()) {
+                joint.geometry.theta_dot_start =
+                    static_cast<double>(general::measured(first_wheel_of(joint), placed).rate);
+                continue;
+            }
             const general::Placed& i = placed[static_cast<std::size_t>(joint.body_i)];
             const general::Placed& j = placed[static_cast<std::size_t>(joint.body_j)];
             const reference::Vec3 s = i.A * joint.geometry.s_i_local.normalized().cast<long double>();

@@ -42,6 +42,40 @@ void set_thread(Joint& joint, const Body& i, const Body& j, Random& random, doub
     g.theta_start = theta;
 }
 
+/// Wheels that mesh in this pose: some numbers of teeth, some turns of the first wheel, and a second u that
+/// fits.
+void set_wheels(Joint& joint, const Body& i, const Body& j, Random& random, double length) {
+    JointGeometry& g = joint.geometry;
+    const Mat3 A_i = rotation_matrix(i.p);
+    const Mat3 A_j = rotation_matrix(j.p);
+    const Vec3 s_i = A_i * g.s_i_local.normalized();
+    const Vec3 s_j = A_j * g.s_j_local.normalized();
+    const Vec3 d = j.r + A_j * g.P_j_local - i.r - A_i * g.P_i_local;
+    const auto angle = [](const Vec3& e, const Vec3& u, const Vec3& s) {
+        return std::atan2(e.cross(u).dot(s), e.dot(u));
+    };
+    const double turns = std::floor(random.number(-2.0, 3.0));
+    if (joint.type->name == "rack") {
+        g.alpha = length * random.number(0.1, 0.5) * (random.number() < 0.0 ? -1.0 : 1.0);
+        g.u_j_local = (random.number() * Vec3(A_j.transpose() * s_i) +
+                       random.number() * Vec3(A_j.transpose() * s_j.cross(s_i)))
+                          .normalized();
+        const double theta = angle(s_i, A_j * g.u_j_local, s_j) + 2.0 * std::numbers::pi * turns;
+        g.theta_0 = random.number();
+        g.d_0 = s_i.dot(d) - g.alpha * (theta - g.theta_0);
+        g.theta_start = theta;
+        return;
+    }
+    const auto teeth = [&] { return std::floor(random.number(8.0, 30.0)); };
+    g.ratio = teeth() / teeth() * (random.number() < 0.0 ? -1.0 : 1.0);
+    const Vec3 e = joint.type->name == "bevel-gear" ? s_i.cross(s_j) : d;
+    const double theta = angle(e, A_i * g.u_i_local, s_i) + 2.0 * std::numbers::pi * turns;
+    g.theta_start = theta;
+    const Vec3 along = (e - e.dot(s_j) * s_j).normalized();
+    const double other = g.ratio * theta;
+    g.u_j_local = A_j.transpose() * (std::cos(other) * along + std::sin(other) * s_j.cross(along));
+}
+
 }  // namespace
 
 Placing::Placing(const Recipe& recipe)
@@ -137,6 +171,12 @@ Joint Placing::joint(
         }
         g.length = (P_j - P_i).norm();
     }
+    if (type.name == "gear" || type.name == "belt") { P_j += length_ * random.number(0.2, 1.0) * side; }
+    if (type.name == "rack") {
+        s_j = side;
+        P_j = point(random);
+    }
+    if (type.name == "bevel-gear") { s_j = (side + random.number(-1.0, 1.0) * s_i).normalized(); }
     // across the link, too
     if (type.uses(Role::distance_perpendicular_j)) { s_j = s_i.cross(side); }
     g.P_i_local = local_point(body_i, P_i);
@@ -146,6 +186,18 @@ Joint Placing::joint(
     g.s_j_local = random.number(0.5, 2.0) * local(body_j, s_j);
     set_sides(joint, body_i, body_j, across, type.uses(Role::sides_perpendicular) ? s_i.cross(across) : side);
     if (type.uses(Role::screw_advance)) { set_thread(joint, body_i, body_j, random, length_); }
+    if (type.name == "curve") {
+        const double theta = random.number(-3.0, 3.0);
+        const auto part = [&] { return random.vector(0.5 * length_); };
+        g.curve.harmonics = {{part(), part()}, {0.2 * part(), 0.2 * part()}};
+        if (random.number() < 0.0) { g.curve.linear = part(); }
+        g.P_j_local = local_point(body_j, point(random));
+        const Vec3 P = body_j.r + rotation_matrix(body_j.p) * g.P_j_local;
+        g.curve.constant = local_point(body_i, P) - g.P_i_local - g.curve.at(theta).c;
+        g.theta_start = theta;
+    } else if (type.artificial > 0 && !type.has_angle()) {
+        set_wheels(joint, body_i, body_j, random, length_);
+    }
     return joint;
 }
 

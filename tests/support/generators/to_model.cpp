@@ -83,6 +83,9 @@ public:
         }
     }
     void thread();
+    void mesh();
+    void rack();
+    void curve();
 
     std::vector<general::Equation> take() { return std::move(out_); }
 
@@ -156,6 +159,55 @@ void JointWriter::thread() {
     out_.push_back(equation);
 }
 
+general::WheelAngle wheel_of(const Joint& joint, general::WheelAngle::Line line, bool of_j) {
+    const JointGeometry& g = joint.geometry;
+    const general::Fixed s_i{joint.body_i, real(g.s_i_local) / real(g.s_i_local).norm()};
+    const general::Fixed s_j{joint.body_j, real(g.s_j_local) / real(g.s_j_local).norm()};
+    general::WheelAngle wheel;
+    wheel.line = line;
+    wheel.s = of_j ? s_j : s_i;
+    wheel.u = of_j ? general::Fixed{joint.body_j, real(g.u_j_local)}
+                   : general::Fixed{joint.body_i, real(g.u_i_local)};
+    wheel.from = {joint.body_i, real(g.P_i_local)};
+    wheel.to = {joint.body_j, real(g.P_j_local)};
+    wheel.a = s_i;
+    wheel.b = s_j;
+    return wheel;
+}
+
+/// Two wheels roll on each other.
+void JointWriter::mesh() {
+    const general::WheelAngle first = first_wheel_of(joint_);
+    general::Equation equation;
+    equation.measure = general::Mesh{first, wheel_of(joint_, first.line, true), joint_.geometry.ratio};
+    equation.of = of_;
+    out_.push_back(equation);
+}
+
+/// A wheel of j rolls on a rack of i.
+void JointWriter::rack() {
+    const JointGeometry& g = joint_.geometry;
+    const general::WheelAngle wheel = first_wheel_of(joint_);
+    general::Equation equation;
+    equation.measure = general::Rolling{wheel, {wheel.a, wheel.from, wheel.to}, g.alpha, g.d_0, g.theta_0};
+    equation.of = of_;
+    out_.push_back(equation);
+}
+
+/// A point stays on a curve: the two directions across it.
+void JointWriter::curve() {
+    const JointGeometry& g = joint_.geometry;
+    general::OffCurve off{P_i_, P_j_, real(g.curve.constant), real(g.curve.linear), {}, false};
+    for (const Curve::Harmonic& h : g.curve.harmonics) { off.waves.push_back({real(h.cos), real(h.sin)}); }
+    for (const bool second : {false, true}) {
+        off.second = second;
+        general::Equation equation;
+        equation.measure = off;
+        equation.of = of_;
+        out_.push_back(equation);
+    }
+}
+
 void write_joint(const std::string_view type, JointWriter& writer) {
     const auto is = [&](std::initializer_list<std::string_view> names) {
         return std::ranges::find(names, type) != names.end();
@@ -177,6 +229,9 @@ void write_joint(const std::string_view type, JointWriter& writer) {
         writer.length();
     }
     if (is({"screw"})) { writer.thread(); }
+    if (is({"gear", "belt", "bevel-gear"})) { writer.mesh(); }
+    if (is({"rack"})) { writer.rack(); }
+    if (is({"curve"})) { writer.curve(); }
 }
 
 void write_loads(const Loads& loads, general::Model& model) {
@@ -218,6 +273,12 @@ general::Body body_of(const Body& body, const std::optional<MassProperties>& mas
 }
 
 }  // namespace
+
+general::WheelAngle first_wheel_of(const Joint& joint) {
+    using Line = general::WheelAngle::Line;
+    if (joint.type->name == "rack") { return wheel_of(joint, Line::rack, true); }
+    return wheel_of(joint, joint.type->name == "bevel-gear" ? Line::normal : Line::centres, false);
+}
 
 std::vector<general::Equation> equations_of_joint(const Joint& joint, int of) {
     JointWriter writer(joint, of);

@@ -12,6 +12,8 @@ reference::general::Model model_of(const Mechanism& mechanism, const Loads& load
 
 /// Equations of one joint, in the order of its type; `of` is its index.
 std::vector<reference::general::Equation> equations_of_joint(const Joint& joint, int of);
+/// The angle that θ of a gear, a belt or a rack is.
+reference::general::WheelAngle first_wheel_of(const Joint& joint);
 reference::general::Equation equation_of_driver(const Mechanism& mechanism, const Driver& driver, int of);
 
 }  // namespace jw::test

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/numerics/linear.hpp"
+
+/// Curves that are fixed in a body, as functions of one parameter.
+namespace jw {
+
+/// c(u) = constant + linear u + Σ cos_k cos(k u) + sin_k sin(k u) [m], k = 1, 2, ...: lines, circles,
+/// helices, and any closed curve. All its derivatives are continuous.
+struct Curve {
+    struct Harmonic {
+        Vec3 cos = Vec3::Zero();
+        Vec3 sin = Vec3::Zero();
+
+        bool operator==(const Harmonic&) const = default;
+    };
+    struct Point {
+        Vec3 c;     ///< [m]
+        Vec3 c_u;   ///< its derivatives by u [m/rad]
+        Vec3 c_uu;  ///< [m/rad²]
+    };
+
+    Vec3 constant = Vec3::Zero();
+    Vec3 linear = Vec3::Zero();  ///< [m/rad]
+    std::vector<Harmonic> harmonics;
+
+    Point at(double u) const;
+    /// The same point again after a turn of u.
+    bool is_closed() const { return linear.isZero(0.0); }
+    /// Parameter of the point of the curve that is nearest to `point`, by Newton's method from `guess` on.
+    double nearest(const Vec3& point, double guess) const;
+    /// The same on the whole curve: in (-π, π] if it is closed.
+    double nearest(const Vec3& point) const;
+
+    /// The closed curve of least harmonics through points that are evenly spread over u, from u = 0 on.
+    /// @throws std::invalid_argument for fewer than three points
+    static Curve through(std::span<const Vec3> points);
+
+    bool operator==(const Curve&) const = default;
+};
+
+/// One component of a curve: its constant, its factor of u, and (cos, sin) of each harmonic.
+struct CurveComponent {
+    double constant = 0.0;
+    double linear = 0.0;
+    std::vector<std::array<double, 2>> harmonics;
+};
+CurveComponent component_of(const Curve& curve, int component);
+
+}  // namespace jw
