@@ -126,10 +126,9 @@ auto rows_of(const CurveFollowed& c, const BodyKinematics<C>& i, const BodyKinem
         // the directions turn towards the tangent as the curve bends
         const double size = at_u.c_u.norm();
         const double along = dot(arm<K, kBodyI>(i, tangent), d).rate(0);
-        const Vec3 off = d_local_of(c, i, j) - at_u.c;
-        const double rate = along / (size - off.dot(at_u.c_uu) / size);
-        jet.bias(0) -= a.dot(at_u.c_uu) / size * along * rate;
-        jet.bias(1) -= b.dot(at_u.c_uu) / size * along * rate;
+        const double rate = along / size;
+        jet.bias(0) -= rate * rate * a.dot(at_u.c_uu);
+        jet.bias(1) -= rate * rate * b.dot(at_u.c_uu);
     }
     return jet;
 }

@@ -115,16 +115,18 @@ template <Content K, class C>
 auto equations(
     const Wheel& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& theta) {
     const auto t = scaled(c.ratio, artificial<C, K>(theta));
-    return visit_wheel<K>(c, i, j, [&](const auto& sine, const auto& cosine) {
+    const auto row = [&](const auto& sine, const auto& cosine) {
         return dot(sine, cos(t)) - dot(cosine, sin(t));
-    });
+    };
+    return visit_wheel<K>(c, i, j, row);
 }
 
 /// Angle from the line of a wheel to its u in (-π, π] [rad].
 template <Content K, class C>
 auto measured(
     const Wheel& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
-    return visit_wheel<K>(c, i, j, [](const auto& sine, const auto& cosine) { return atan2(sine, cosine); });
+    const auto angle = [](const auto& sine, const auto& cosine) { return atan2(sine, cosine); };
+    return visit_wheel<K>(c, i, j, angle);
 }
 
 }  // namespace jw

@@ -19,9 +19,11 @@ std::string combined(const std::string& name, const std::string& body) {
 std::string wheel_formula(
     const std::string& name, const std::string& e, const std::string& body, const std::string& angle) {
     const std::string u = R"(\mathbf{u}_)" + body;
+    const bool is_product = e.find("tilde") != std::string::npos;
+    const std::string row = (is_product ? "(" + e + ")" : e) + "^T ";
     return combined(
-        name, "(" + e + R"( \times )" + u + R"()^T \mathbf{s}_)" + body + R"( \cos )" + angle + " - (" + e +
-                  ")^T " + u + R"( \sin )" + angle + " = 0");
+        name, "(" + e + R"( \times )" + u + R"()^T \mathbf{s}_)" + body + R"( \cos )" + angle + " - " + row +
+                  u + R"( \sin )" + angle + " = 0");
 }
 
 /// Equation of a component of a point on a curve.

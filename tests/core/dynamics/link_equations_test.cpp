@@ -180,6 +180,7 @@ TEST_CASE("A screw is followed by its rate through turns that no pose tells", "[
         const double turned = std::remainder(theta, 2.0 * std::numbers::pi);
         // rounding of 60 rad times an advance of 0.5 m/rad
         CHECK(std::abs(screw.residual(advanced, turned, now) - off) < 1e-13);
+        CHECK(std::abs(screw.theta_of(advanced - off) - theta) < 1e-11);
     }
 }
 
@@ -218,7 +219,7 @@ TEST_CASE(
     for (unsigned seed = 1; seed <= 20; ++seed) {
         test::Random random(seed);
         CAPTURE(seed);
-        // turns that lie close together: the nearest point alone is not the one that is meant
+        // turns that lie 6 mm apart: of a point 4 mm beside, the nearest one is not the one that is meant
         CurveFollowed c{};
         c.curve.linear = Vec3(0.0, 0.0, 1e-3);
         c.curve.harmonics = {{Vec3::UnitX(), Vec3::UnitY()}};
@@ -227,7 +228,7 @@ TEST_CASE(
         const double before = random.number(0.0, 1.0);
         const double now = before + random.number(1.0, 2.0);
         c.so_far = TurnsSoFar{before, theta - rate * (now - before) + random.number(-0.8, 0.8), rate};
-        const Vec3 point = c.curve.at(theta).c + Vec3(0.0, 0.0, 2e-3);
+        const Vec3 point = c.curve.at(theta).c + Vec3(0.0, 0.0, 4e-3);
         CHECK(std::abs(c.parameter(point, now) - theta) < 1e-4);
         // the nearest of all turns is the next one
         c.so_far.reset();
@@ -243,6 +244,14 @@ TEST_CASE(
         // of all directions across the curve, the nearest to the one before
         CHECK(std::abs(side.dot(bent.cross(c.side))) < 1e-15);
         CHECK(side.dot(c.side) > 0.9);
+        // along an axis that is taken out, a point is as far as it likes
+        c.P_i_local = random.vector();
+        c.P_j_local = random.vector();
+        c.free_axis = Vec3::UnitY();
+        const auto somewhere = [&] { return kinematics_at<OmegaLocal>(random.vector(), random.unit_p()); };
+        CHECK(std::abs(d_local_of(c, somewhere(), somewhere()).y()) < 1e-15);
+        CHECK(c.side_at(Vec3::UnitX()) == Vec3(0.0, 0.0, -1.0));
+        c.free_axis.setZero();
         // along the side itself there is none
         CHECK(c.side_at(c.side) == perpendicular_to(c.side));
     }
