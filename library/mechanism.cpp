@@ -65,7 +65,7 @@ jw::JointGeometry geometry_of(const jw::JointType& type, const jw::BodyPair& pai
         g.s_i_local = pair.vector_i(axis);
         g.s_j_local = pair.vector_j(axis2);
     }
-    if (needs.sides && type.artificial > 0 && !type.has_angle()) {
+    if (needs.sides && type.has_own_coordinate()) {
         const auto line = jw::wheel_line(pair, type, g);
         expect(line.has_value(), "the wheels have no line between them; expected other axes or points");
         jw::set_marks(pair, *line, g);
@@ -87,13 +87,13 @@ jw::JointGeometry geometry_of(const jw::JointType& type, const jw::BodyPair& pai
         g.alpha = *place.pitch / (2.0 * std::numbers::pi);
         g.d_0 = (to - place.at).dot(unit(place.axis, "axis"));
     }
-    if (type.uses(jw::Role::curve_x)) {
+    if (type.has_curve()) {
         expect(place.curve.size() >= 3, "curve has fewer than three points; expected those of a closed curve");
         g.curve = jw::Curve::through(place.curve);
     } else if (type.uses(jw::Role::rack_advance)) {
         g.alpha = nonzero(place.radius, "radius is absent or 0; expected that of the wheel on the rack [m]");
         g.d_0 = (to - place.at).dot(unit(place.axis, "axis"));
-    } else if (type.artificial > 0 && !type.has_angle()) {
+    } else if (type.has_own_coordinate()) {
         g.ratio = nonzero(
             place.ratio, "ratio is absent or 0; expected the turns of the second wheel in one of the first");
     }

@@ -17,17 +17,13 @@ bool form_is_free(const Joint& joint) {
            (joint.parallel_form == ParallelForm::rule || joint.parallel_form == ParallelForm::all_three);
 }
 
-Wheel wheel_of(const Joint& joint, Role role) {
-    return std::get<Wheel>(primitive_of(role, joint.geometry, joint.parallel_form));
-}
-
 LinkPrimitive advance_turned(const Joint& joint) {
     const JointGeometry& g = joint.geometry;
     const DisplacementMeasure d = displacement_of(joint);
-    if (!joint.type->uses(Role::rack_angle)) {
-        return ScrewTurned{d, angle_of(joint), g.alpha, g.d_0, g.theta_0};
+    if (const std::optional<Wheel> wheel = first_wheel(joint)) {
+        return RackTurned{d, *wheel, g.alpha, g.d_0, g.theta_0};
     }
-    return RackTurned{d, wheel_of(joint, Role::rack_angle), g.alpha, g.d_0, g.theta_0};
+    return ScrewTurned{d, angle_of(joint), g.alpha, g.d_0, g.theta_0};
 }
 
 /// Equations with θ that are taken out by hand.
@@ -55,8 +51,7 @@ CurveFollowed curve_followed(const Joint& joint) {
 unsigned left_out_of(const Constraint& c, const Joint& joint) {
     const auto out = thetas_out(joint).size();
     if (!has_theta(c.role) || out == 0) { return c.left_out(); }
-    const bool is_curve = joint.type->uses(Role::curve_x);
-    return is_curve && out == 1 ? 2U : ~0U;
+    return joint.type->has_curve() && out == 1 ? 2U : ~0U;
 }
 
 /// Primitive of a constraint without its artificial coordinate; none for the row that ties θ to the bodies.
@@ -73,9 +68,8 @@ std::optional<LinkPrimitive> link_primitive(const Constraint& c, const Joint& jo
                 if (c.role != Role::curve_x) { return std::nullopt; }
                 return curve_followed(joint);
             } else if constexpr (std::is_same_v<P, Wheel>) {
-                if (c.role == Role::wheel_j) { return GearTurned{wheel_of(joint, Role::wheel_i), p}; }
-                if (c.role == Role::bevel_j) { return GearTurned{wheel_of(joint, Role::bevel_i), p}; }
-                return std::nullopt;
+                if (!is_second_wheel(c.role)) { return std::nullopt; }
+                return GearTurned{*first_wheel(joint), p};
             } else {
                 return p;
             }

@@ -8,7 +8,6 @@
 
 #include "core/equations/system.hpp"
 #include "core/jets/drivers.hpp"
-#include "core/jets/followed.hpp"
 
 /// Constraint equations for the equations of motion: grouped by the pair of bodies that they link, without
 /// artificial coordinates (which have no mass).
@@ -98,7 +97,7 @@ struct CurveFollowed {
     }
     double parameter(const Vec3& d_local, double t) const {
         if (!so_far) { return curve.nearest(d_local); }
-        return followed(curve, d_local, so_far->theta + so_far->rate * (t - so_far->t));
+        return curve.followed(d_local, so_far->theta + so_far->rate * (t - so_far->t));
     }
     double residual_up_to_turns(double phi) const { return phi; }
 };

@@ -85,6 +85,13 @@ double Curve::nearest(const Vec3& point) const {
     return is_closed() ? std::remainder(best, kWholeTurn) : best;
 }
 
+double Curve::followed(const Vec3& point, double expected) const {
+    constexpr double beside = 0.01;
+    const double u = nearest(point, expected);
+    const Point found = at(u);
+    return (found.c - point).norm() < beside * found.c_u.norm() ? u : nearest(point);
+}
+
 Curve Curve::through(std::span<const Vec3> points) {
     if (points.size() < 3) { throw std::invalid_argument("a closed curve needs three points"); }
     const auto count = static_cast<double>(points.size());

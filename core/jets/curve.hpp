@@ -29,12 +29,16 @@ struct Curve {
     std::vector<Harmonic> harmonics;
 
     Point at(double u) const;
-    /// The same point again after a turn of u.
+    /// True if a turn of u leads back to the same point.
     bool is_closed() const { return linear.isZero(0.0); }
     /// Parameter of the point of the curve that is nearest to `point`, by Newton's method from `guess` on.
     double nearest(const Vec3& point, double guess) const;
-    /// The same on the whole curve: in (-π, π] if it is closed.
+    /// Parameter of the nearest point of the whole curve: in (-π, π] if it is closed.
     double nearest(const Vec3& point) const;
+    /// Parameter of a point that is followed along the curve: the nearest one from `expected` on. A point
+    /// that is farther away from there than a hundredth of a radian was not followed to here, and has that of
+    /// the whole curve.
+    double followed(const Vec3& point, double expected) const;
 
     /// The closed curve of least harmonics through points that are evenly spread over u, from u = 0 on.
     /// @throws std::invalid_argument for fewer than three points

@@ -88,6 +88,13 @@ static_assert(
 /// Its equations contain the joint's artificial coordinate.
 constexpr bool has_theta(Role role) { return role >= Role::screw_advance; }
 
+/// θ is the angle of its wheel.
+constexpr bool is_first_wheel(Role role) {
+    return role == Role::wheel_i || role == Role::bevel_i || role == Role::rack_angle;
+}
+/// Its wheel follows θ.
+constexpr bool is_second_wheel(Role role) { return role == Role::wheel_j || role == Role::bevel_j; }
+
 constexpr bool is_parallel(Role role) { return traits_of(role).independent == 2; }
 
 /// Vectors of a joint in its two bodies. Which of them matter depends on the type's primitives.
@@ -178,6 +185,9 @@ struct JointType {
     constexpr bool has_angle() const { return uses(Role::axes_parallel) && !uses(Role::sides_perpendicular); }
     /// Its sides are the u from which an angle is measured, not the h of an n1.
     constexpr bool has_marks() const { return has_angle() || uses(kSidesU); }
+    constexpr bool has_curve() const { return uses(Role::curve_x); }
+    /// Its artificial coordinate is no angle about its axis: that of a wheel, or the parameter of a curve.
+    constexpr bool has_own_coordinate() const { return artificial > 0 && !has_angle(); }
     /// The displacement along the axis is free.
     constexpr bool has_displacement() const { return uses(Role::distance_parallel); }
     /// Its points keep a distance.

@@ -7,7 +7,6 @@
 
 #include "core/elementary/elementary.hpp"
 #include "core/jets/body_kinematics.hpp"
-#include "core/jets/followed.hpp"
 
 namespace jw {
 
@@ -27,16 +26,23 @@ int Mechanism::thetas_count() const {
         std::ranges::count_if(joints, [](const Joint& j) { return j.type->artificial > 0; }));
 }
 
-State start_state(const Mechanism& mechanism) {
+State start_poses(const Mechanism& mechanism) {
     State state;
     for (const Body& body : mechanism.bodies) {
         state.r.push_back(body.r);
         state.p.push_back(body.p);
     }
+    state.theta.assign(at(mechanism.thetas_count()), 0.0);
+    return state;
+}
+
+State start_state(const Mechanism& mechanism) {
+    State state = start_poses(mechanism);
+    std::size_t theta = 0;
     for (const Joint& joint : mechanism.joints) {
         if (joint.type->artificial == 0) { continue; }
         const auto& given = joint.geometry.theta_start;
-        state.theta.push_back(given ? *given : artificial_angle(joint, state));
+        state.theta[theta++] = given ? *given : artificial_angle(joint, state);
     }
     return state;
 }
@@ -123,22 +129,10 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// Wheel whose angle a joint's θ is; none if it is the angle between its bodies.
-std::optional<Wheel> first_wheel(const Joint& joint) {
-    for (const Role role : {Role::wheel_i, Role::bevel_i, Role::rack_angle}) {
-        if (!joint.type->uses(role)) { continue; }
-        return std::get<Wheel>(primitive_of(role, joint.geometry, joint.parallel_form));
-    }
-    return std::nullopt;
-}
-
-/// Wheel that follows it; none if the joint has only one.
-std::optional<Wheel> second_wheel(const Joint& joint) {
-    for (const Role role : {Role::wheel_j, Role::bevel_j}) {
-        if (!joint.type->uses(role)) { continue; }
-        return std::get<Wheel>(primitive_of(role, joint.geometry, joint.parallel_form));
-    }
-    return std::nullopt;
+std::optional<Wheel> wheel_of(const Joint& joint, bool (*is_meant)(Role)) {
+    const auto role = std::ranges::find_if(joint.type->roles, is_meant);
+    if (role == joint.type->roles.end()) { return std::nullopt; }
+    return std::get<Wheel>(primitive_of(*role, joint.geometry, joint.parallel_form));
 }
 
 BodyKinematics<OmegaLocal> body_at(int body, const State& state) {
@@ -150,7 +144,7 @@ BodyKinematics<OmegaLocal> body_at(int body, const State& state, const Motion& m
     return kinematics_at<OmegaLocal>(state.r[b], state.p[b], motion.r_dot[b], motion.omega_local[b]);
 }
 
-bool is_on_curve(const Joint& joint) { return joint.type->uses(Role::curve_x); }
+bool is_on_curve(const Joint& joint) { return joint.type->has_curve(); }
 
 /// d in the frame of body i [m].
 Vec3 d_local(const Joint& joint, const State& state) {
@@ -168,6 +162,9 @@ double angle_of_wheel(const Wheel& wheel, const Joint& joint, const State& state
 
 }  // namespace
 
+std::optional<Wheel> first_wheel(const Joint& joint) { return wheel_of(joint, is_first_wheel); }
+std::optional<Wheel> second_wheel(const Joint& joint) { return wheel_of(joint, is_second_wheel); }
+
 double artificial_angle(const Joint& joint, const State& state) {
     if (is_on_curve(joint)) { return joint.geometry.curve.nearest(d_local(joint, state)); }
     const std::optional<Wheel> wheel = first_wheel(joint);
@@ -175,7 +172,7 @@ double artificial_angle(const Joint& joint, const State& state) {
 }
 
 double artificial_angle_near(const Joint& joint, const State& state, double expected) {
-    if (is_on_curve(joint)) { return followed(joint.geometry.curve, d_local(joint, state), expected); }
+    if (is_on_curve(joint)) { return joint.geometry.curve.followed(d_local(joint, state), expected); }
     return expected + std::remainder(artificial_angle(joint, state) - expected, kTurn);
 }
 

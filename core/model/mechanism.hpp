@@ -86,6 +86,8 @@ struct Motion {
     std::vector<double> theta_dot;
 };
 
+/// Poses of the bodies as the mechanism's author gave them; every θ is 0.
+State start_poses(const Mechanism& mechanism);
 /// The state as the mechanism's author gave it; θ is measured unless given.
 State start_state(const Mechanism& mechanism);
 /// Velocities as given; θ̇ is that of the bodies unless given.
@@ -106,16 +108,21 @@ double angle_acceleration(
 /// Angle that the artificial coordinate of a joint follows [rad]: from u_i to u_j of a screw, from its line
 /// to u of the first wheel of wheels, in (-π, π]; on a curve, the parameter of its nearest point.
 double artificial_angle(const Joint& joint, const State& state);
-/// The same nearest to an expected value: with its turns, or by Newton's method along the curve.
+/// Artificial coordinate nearest to an expected value: with its turns, or by Newton's method along the curve.
 double artificial_angle_near(const Joint& joint, const State& state, double expected);
-/// The same with the turns that the pose determines: by the advance of a screw or a rack, by the other wheel
-/// of a gear. Of those that differ by whole turns of both wheels, that nearest to 0.
+/// Artificial coordinate with the turns that the pose determines: by the advance of a screw or a rack, by the
+/// other wheel of a gear. Of those that differ by whole turns of both wheels, that nearest to 0.
 double artificial_angle_with_turns(const Joint& joint, const State& state);
 /// Its rate where it is `theta` [rad/s]; 0 where the line of wheels has no direction.
 double artificial_rate(const Joint& joint, const State& state, const Motion& motion, double theta);
 /// [rad/s²] @param acceleration  ω̇' and r̈ instead of ω' and ṙ
 double artificial_acceleration(
     const Joint& joint, const State& state, const Motion& motion, const Motion& acceleration, double theta);
+
+/// Wheel whose angle a joint's θ is; none if θ is another angle.
+std::optional<Wheel> first_wheel(const Joint& joint);
+/// Wheel that follows it; none if the joint has only one.
+std::optional<Wheel> second_wheel(const Joint& joint);
 
 /// Whole turns k of the first wheel after which the second has turned by `turned` less ratio 2π k up to whole
 /// turns of its own: the smallest for which this leaves the least.

@@ -38,7 +38,7 @@ void unpack(const double* y, std::span<const int> moving, State& state, Motion& 
 }
 
 std::pair<State, Motion> unpacked(const Mechanism& mechanism, std::span<const int> moving, const double* y) {
-    std::pair<State, Motion> out{start_state(mechanism), start_motion(mechanism)};
+    std::pair<State, Motion> out{start_poses(mechanism), zero_motion(mechanism)};
     auto& [state, motion] = out;
     unpack(y, moving, state, motion);
     std::size_t theta = 0;

@@ -59,8 +59,6 @@ bool has_two_angles(const Constraint& c, const Joint& joint) {
     return c.role == Role::screw_angle && joint.geometry.screw_angle_form == ScrewAngleForm::rotation;
 }
 
-bool is_second_wheel(const Constraint& c) { return c.role == Role::wheel_j || c.role == Role::bevel_j; }
-
 /// Handedness (h_i x h_j)·s_i of unit vectors.
 double handedness(const Joint& joint, const State& state) {
     const Vec3 h_i = turned(state, joint.body_i, joint.geometry.h_i_local.normalized());
@@ -136,7 +134,7 @@ void leave_branch(const System& system, const WrongBranch& wrong, State& state) 
             break;
         case WrongBranch::Kind::half_turn: turn_half_about(system, joint, s_i, state); break;
         case WrongBranch::Kind::screw_angle: {
-            if (is_second_wheel(c)) {
+            if (is_second_wheel(c.role)) {
                 turn_half_about(
                     system, joint, turned(state, joint.body_j, joint.geometry.s_j_local.normalized()), state);
                 break;

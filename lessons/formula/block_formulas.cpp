@@ -27,54 +27,39 @@ std::string arm(CoordinateChoice coordinates, const std::string& letter, char bo
            bold("p", body, "T") + ")";
 }
 
-std::string of_position(Role role, bool i) {
-    const std::string minus = i ? "-" : "";
-    switch (role) {
-        case Role::same_point: return i ? "\\mathbf{I}" : "-\\mathbf{I}";
-        case Role::distance_parallel: return minus + tilde("s") + "_i";
-        case Role::distance_perpendicular: return minus + bold("s", 'i', "T");
-        case Role::distance_perpendicular_j: return minus + bold("s", 'j', "T");
-        case Role::length: return minus + "2 \\mathbf{d}^T";
-        case Role::axes_parallel:
-        case Role::axes_perpendicular:
-        case Role::sides_perpendicular:
-        case Role::screw_advance:
-        case Role::screw_angle:
-        case Role::wheel_i:
-        case Role::wheel_j:
-        case Role::bevel_i:
-        case Role::bevel_j:
-        case Role::rack_advance:
-        case Role::rack_angle:
-        case Role::curve_x:
-        case Role::curve_y:
-        case Role::curve_z: break;
-    }
-    return "0";
-}
+/// Blocks of a body in the rows of a role, by its position and by its orientation.
+struct Blocks {
+    std::string position = "0";
+    std::string orientation = "0";
+};
 
-std::string of_orientation(Role role, CoordinateChoice c, bool i) {
+Blocks blocks_of(Role role, CoordinateChoice c, bool i) {
     const char own = i ? 'i' : 'j';
+    const char other = i ? 'j' : 'i';
+    const std::string minus = i ? "-" : "";
+    const std::string s = arm(c, "s", own, "");
+    const std::string B = arm(c, "s", own, "B");
     switch (role) {
-        case Role::same_point: return (i ? "" : "-") + arm(c, "s", own, "P");
-        case Role::axes_perpendicular: return bold("s", i ? 'j' : 'i', "T") + " " + arm(c, "s", own, "");
-        case Role::sides_perpendicular: return bold("h", i ? 'j' : 'i', "T") + " " + arm(c, "h", own, "");
-        case Role::axes_parallel:
-            return i ? "-" + tilde("s") + "_j " + arm(c, "s", own, "")
-                     : tilde("s") + "_i " + arm(c, "s", own, "");
+        case Role::same_point:
+            return {i ? "\\mathbf{I}" : "-\\mathbf{I}", (i ? "" : "-") + arm(c, "s", own, "P")};
+        case Role::axes_perpendicular: return {"0", bold("s", other, "T") + " " + s};
+        case Role::sides_perpendicular: return {"0", bold("h", other, "T") + " " + arm(c, "h", own, "")};
+        case Role::axes_parallel: return {"0", minus + tilde("s") + "_" + other + " " + s};
         case Role::distance_perpendicular:
-            return i ? "\\mathbf{d}^T " + arm(c, "s", own, "") + " - " + bold("s", 'i', "T") + " " +
-                           arm(c, "s", own, "B")
-                     : bold("s", 'i', "T") + " " + arm(c, "s", own, "B");
+            return {
+                minus + bold("s", 'i', "T"), i ? "\\mathbf{d}^T " + s + " - " + bold("s", 'i', "T") + " " + B
+                                               : bold("s", 'i', "T") + " " + B};
         case Role::distance_perpendicular_j:
-            return i ? "-" + bold("s", 'j', "T") + " " + arm(c, "s", own, "B")
-                     : "\\mathbf{d}^T " + arm(c, "s", own, "") + " + " + bold("s", 'j', "T") + " " +
-                           arm(c, "s", own, "B");
+            return {
+                minus + bold("s", 'j', "T"),
+                i ? "-" + bold("s", 'j', "T") + " " + B
+                  : "\\mathbf{d}^T " + s + " + " + bold("s", 'j', "T") + " " + B};
         case Role::distance_parallel:
-            return i ? "-\\tilde{\\mathbf{d}} " + arm(c, "s", own, "") + " - " + tilde("s") + "_i " +
-                           arm(c, "s", own, "B")
-                     : tilde("s") + "_i " + arm(c, "s", own, "B");
-        case Role::length: return std::string(i ? "-" : "") + "2 \\mathbf{d}^T " + arm(c, "s", own, "P");
+            return {
+                minus + tilde("s") + "_i",
+                i ? "-\\tilde{\\mathbf{d}} " + s + " - " + tilde("s") + "_i " + B : tilde("s") + "_i " + B};
+        case Role::length:
+            return {minus + "2 \\mathbf{d}^T", minus + "2 \\mathbf{d}^T " + arm(c, "s", own, "P")};
         case Role::screw_advance:
         case Role::screw_angle:
         case Role::wheel_i:
@@ -87,7 +72,7 @@ std::string of_orientation(Role role, CoordinateChoice c, bool i) {
         case Role::curve_y:
         case Role::curve_z: break;
     }
-    return "0";
+    return {};
 }
 
 }  // namespace
@@ -108,8 +93,8 @@ std::string block_name(const Block& block) {
 std::optional<std::string> block_formula(const Block& block) {
     // the equations with θ are not on slide 14
     if (has_theta(block.role)) { return std::nullopt; }
-    return block.of_orientation ? of_orientation(block.role, block.coordinates, block.body_i)
-                                : of_position(block.role, block.body_i);
+    const Blocks blocks = blocks_of(block.role, block.coordinates, block.body_i);
+    return block.of_orientation ? blocks.orientation : blocks.position;
 }
 
 }  // namespace jw::formula

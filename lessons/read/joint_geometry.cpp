@@ -162,7 +162,7 @@ void read_sides(Fields& fields, const BodyPair& pair, const JointType& type, Joi
     if (any && !one_way(fields, "side", {"side_i", "side_j"}, "a side vector, three numbers")) { return; }
 
     const Vec3 axis = pair.axis_i(g);
-    if ((!side_i || !side_j) && type.uses(kSidesU) && !type.has_angle()) {
+    if ((!side_i || !side_j) && type.has_own_coordinate()) {
         read_marks(fields, pair, type, side, g);
         return;
     }
@@ -269,7 +269,8 @@ void read_radii(Fields& fields, const JointType& type, JointGeometry& g) {
 
 void read_gear(Fields& fields, const JointType& type, JointGeometry& g) {
     const char* const expected =
-        "turns of the second wheel in one turn of the first, negative if they turn against each other";
+        "turns of the second wheel in one turn of the first, negative if they turn against each other, or "
+        "'radii'";
     g.ratio = 1.0;
     if (!fields.at_most_one({"ratio", "radii"})) { return; }
     if (fields.has("radii")) {
@@ -355,7 +356,7 @@ void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint) {
     }
     if (type.uses(Role::screw_advance)) { read_screw(fields, pair, type, g); }
     if (type.uses(Role::rack_advance)) { read_rack(fields, pair, type, g); }
-    if (type.uses(Role::curve_x)) { read_curve(fields, g); }
+    if (type.has_curve()) { read_curve(fields, g); }
     if (type.uses(Role::wheel_i) || type.uses(Role::bevel_i)) { read_gear(fields, type, g); }
 }
 

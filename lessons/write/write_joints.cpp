@@ -76,7 +76,7 @@ void write_curve(const Curve& curve, Lines& lines) {
 }
 
 void write_wheels(const JointType& type, const JointGeometry& g, Lines& lines) {
-    if (type.uses(Role::curve_x)) {
+    if (type.has_curve()) {
         write_curve(g.curve, lines);
     } else if (type.uses(Role::rack_advance)) {
         lines.key("radius", g.alpha, "m");
@@ -105,9 +105,7 @@ void write_joint(const Written& written, const Joint& joint, const Text& text, L
     write_vectors(*joint.type, joint.geometry, lines);
     if (joint.type->uses(Role::length)) { lines.key("length", joint.geometry.length, "m"); }
     if (joint.type->uses(Role::screw_advance)) { write_screw(joint.geometry, lines); }
-    if (joint.type->artificial > 0 && !joint.type->uses(Role::screw_advance)) {
-        write_wheels(*joint.type, joint.geometry, lines);
-    }
+    if (joint.type->has_own_coordinate()) { write_wheels(*joint.type, joint.geometry, lines); }
     if (joint.type->artificial > 0) { write_theta(*joint.type, joint.geometry, lines); }
     if (joint.parallel_form != ParallelForm::rule && std::ranges::any_of(joint.type->roles, is_parallel)) {
         lines.key("parallel", string_text(word_of(kParallelForms, joint.parallel_form)));

@@ -188,7 +188,7 @@ TEST_CASE("Derivatives hold at and next to the hard spots", "[core][derivatives]
         g.u_i_local = g.u_j_local = Vec3::UnitX();
         g.P_i_local = g.P_j_local = Vec3::Zero();
         // a line of wheels with no length would turn at any rate
-        if (!type.has_angle() && type.artificial > 0) { g.theta_dot_start = 0.7; }
+        if (type.has_own_coordinate()) { g.theta_dot_start = 0.7; }
         mechanism.bodies[0].p = Vec4::Unit(0);
         mechanism.bodies[1].p = euler_parameters_of(Vec3::UnitX(), angle * std::numbers::pi + offset);
         mechanism.bodies[1].r = mechanism.bodies[0].r + Vec3::Constant(offset);

@@ -75,7 +75,7 @@ inline Mechanism random_tree(Random& random) {
             scene.add_link(type.name, before, body, from, random.vector() + Vec3(3.0, 0.0, 0.0), axis);
             continue;
         }
-        if (type.artificial > 0 && !type.has_angle()) {
+        if (type.has_own_coordinate()) {
             scene.add_any_wheels(type.name, before, body, random.vector(), axis);
             continue;
         }

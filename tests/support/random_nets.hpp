@@ -27,7 +27,7 @@ inline Mechanism random_net(Random& random) {
             scene.add_link(type.name, i, j, from, from + size * random.direction(), axis);
             return;
         }
-        if (type.artificial > 0 && !type.has_angle()) {
+        if (type.has_own_coordinate()) {
             scene.add_any_wheels(type.name, i, j, random.vector(size), axis, size);
             return;
         }

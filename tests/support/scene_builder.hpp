@@ -100,8 +100,8 @@ public:
         return joint;
     }
 
-    /// The same in any place, far enough apart that bodies which nothing else holds keep their line: parallel
-    /// axes, or two that are not.
+    /// Wheels or a curve in any place, so large that bodies which nothing else holds keep their line:
+    /// parallel axes, or two that are not.
     Joint& add_any_wheels(
         std::string_view type, int i, int j, const Vec3& centre, const Vec3& axis, double size = 3.0) {
         if (find_joint_type(type)->uses(Role::curve_x)) {

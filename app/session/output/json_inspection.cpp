@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "app/session/output/json.hpp"
+#include "app/session/output/json_fields.hpp"
 #include "app/session/view/view_equations.hpp"
 #include "app/session/wording/labels.hpp"
 #include "core/numerics/variants.hpp"
@@ -9,17 +9,6 @@
 namespace jw {
 
 namespace {
-
-Json field(const Vec3& value) { return json_of(value); }
-Json field(double value) { return number(value); }
-Json field(ScrewAngleForm form) { return word_of(kAngleRows, form); }
-Json field(WheelLine line) { return std::string(name_of(line)); }
-Json field(bool value) { return value; }
-Json field(const std::vector<std::array<double, 2>>& pairs) {
-    Json all = Json::array();
-    for (const auto& [of_cosine, of_sine] : pairs) { all.push_back({number(of_cosine), number(of_sine)}); }
-    return all;
-}
 
 /// The data of a primitive, with the names of primitives.hpp.
 Json data_of(const Primitive& primitive) {

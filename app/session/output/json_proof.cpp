@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/session/output/json_fields.hpp"
+
 namespace jw {
 
 namespace {
@@ -40,24 +42,6 @@ const char* kind_of(const ScrewAdvance& /*c*/) { return "screw advance"; }
 const char* kind_of(const ScrewAngle& /*c*/) { return "screw angle"; }
 const char* kind_of(const Wheel& /*c*/) { return "wheel"; }
 const char* kind_of(const OnCurve& /*c*/) { return "on curve"; }
-
-Json field(double value) { return number(value); }
-Json field(bool value) { return value; }
-Json field(const std::vector<std::array<double, 2>>& pairs) {
-    Json all = Json::array();
-    for (const auto& [of_cosine, of_sine] : pairs) { all.push_back({number(of_cosine), number(of_sine)}); }
-    return all;
-}
-Json field(WheelLine line) { return std::string(name_of(line)); }
-Json field(const Vec3& value) { return jw::json_of(value); }
-Json field(ScrewAngleForm form) {
-    switch (form) {
-        case ScrewAngleForm::rotation: return "rotation";
-        case ScrewAngleForm::cosine: return "cosine";
-        case ScrewAngleForm::sine: return "sine";
-    }
-    return {};
-}
 
 /// Kind and data of an equation, vectors in the frames of its bodies.
 struct Geometry {

@@ -27,7 +27,6 @@ struct Picture {
     std::vector<Annotation> annotations;
 };
 
-/// Lengths of a joint's glyph and vectors that are the same in all pictures [m].
 /// Teeth of the two wheels of a joint. A wheel that meshes with several others has the same teeth in all of
 /// its joints.
 struct WheelStyle {
@@ -37,6 +36,7 @@ struct WheelStyle {
     double offset_j = 0.5;
 };
 
+/// Lengths of a joint's glyph and vectors that are the same in all pictures [m].
 struct JointStyle {
     double aside_i = 0.0;  ///< from its line to where s_i is visible beside the bodies
     double aside_j = 0.0;  ///< the same for s_j

@@ -93,7 +93,7 @@ std::vector<Shape> handle(const Attachment& joint, double unit, double radius) {
 /// The hub of a wheel, or a short bar along a rack: their joints draw the rest.
 std::optional<Shape> hub(const Lesson& lesson, int body, double radius) {
     for (const Joint& joint : lesson.mechanism.joints) {
-        if (joint.type->artificial == 0 || joint.type->has_angle()) { continue; }
+        if (!joint.type->has_own_coordinate()) { continue; }
         if (joint.body_i != body && joint.body_j != body) { continue; }
         const JointGeometry& g = joint.geometry;
         const Vec3& P = joint.body_i == body ? g.P_i_local : g.P_j_local;

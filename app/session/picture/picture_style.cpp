@@ -145,9 +145,8 @@ JointStyle joint_style(
     const int theta = mechanism.theta_indices()[at(joint)];
     const auto reach = [&](const State& pose) {
         const PlacedJoint now = placed(mechanism, joint, pose);
-        const double d = theta >= 0 && j.joint->type->uses(Role::curve_x)
-                             ? pose.theta[static_cast<std::size_t>(theta)]
-                             : now.displacement();
+        const double d =
+            j.joint->type->has_curve() ? pose.theta[static_cast<std::size_t>(theta)] : now.displacement();
         found.lowest = std::min(found.lowest, d);
         found.highest = std::max(found.highest, d);
         found.farthest = std::max(found.farthest, (now.P_j - now.P_i - d * now.s_i).norm());

@@ -69,7 +69,7 @@ DrawnWheel wheel_of(
     return w;
 }
 
-/// From centre to centre across the axis of i; zero if both lie on it.
+/// Line of centres: from centre to centre, across the axis of i; zero if both lie on it.
 Vec3 between_axes(const PlacedJoint& joint) {
     const Vec3 d = joint.P_j - joint.P_i;
     return d - joint.s_i.dot(d) * joint.s_i;
@@ -300,7 +300,7 @@ private:
         return (a + b).dot(e) >= 0.0 ? angle : kWholeTurn - angle;
     }
     void strand(const Vec3& from, const Vec3& to) { add(render::Rod{from, to, 0.45 * g_}, palette::kInk); }
-    /// From the direction `from` through an angle about s_i.
+    /// Part of a belt around a wheel: from the direction `from` through an angle about s_i.
     void arc(const Vec3& centre, double radius, const Vec3& from, double angle) {
         const int parts = std::max(4, static_cast<int>(std::ceil(std::abs(angle) / 0.2)));
         for (int k = 0; k < parts; ++k) {

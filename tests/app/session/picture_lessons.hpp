@@ -37,7 +37,7 @@ inline Lesson one_joint(std::string_view type) {
         scene.add_universal(0, body, kPoint, kAxis, perpendicular_to(kAxis));
     } else if (find_joint_type(type)->has_distance()) {
         scene.add_link(type, 0, body, kPoint, kPoint + 0.5 * kAxis, perpendicular_to(kAxis));
-    } else if (!find_joint_type(type)->has_angle() && find_joint_type(type)->artificial > 0) {
+    } else if (find_joint_type(type)->has_own_coordinate()) {
         scene.add_any_wheels(type, 0, body, kPoint, kAxis);
     } else {
         Joint& joint = scene.add_joint(type, 0, body, kPoint, kAxis);

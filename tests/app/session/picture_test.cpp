@@ -53,7 +53,7 @@ TEST_CASE("the glyph of every joint is at the joint and alone is highlighted", "
         CHECK(is_finite(picture));
         if (bare) { continue; }
         const render::Bounds bounds = bounds_of(glyph);
-        if (type.artificial > 0 && !type.has_angle()) {
+        if (type.has_own_coordinate()) {
             // wheels reach from one centre to the other, a curve goes far from its bead
             const Vec3 P_j = placed(lesson.mechanism, 0, story.steps().front().state).P_j;
             CHECK(((P_j - bounds.lowest()).array() > 0.0).all());

@@ -256,3 +256,47 @@ TEST_CASE(
         CHECK(c.side_at(c.side) == perpendicular_to(c.side));
     }
 }
+
+TEST_CASE("Without one of its equations with θ a joint keeps what does not need θ", "[core][dynamics]") {
+    test::Random random(5);
+    const auto links_without = [&](const JointType& type, std::vector<Role> roles) {
+        Mechanism mechanism = test::random_joint(random, type, ParallelForm::rule, ScrewAngleForm::rotation);
+        for (const Role role : roles) { mechanism.joints[0].without.push_back({role, 0}); }
+        return std::pair{mechanism, links_of(mechanism)};
+    };
+    for (const JointType& type : kJointTypes) {
+        for (const Role role : type.roles) {
+            if (!has_theta(role)) { continue; }
+            CAPTURE(type.name, static_cast<int>(role));
+            const auto [mechanism, links] = links_without(type, {role});
+            int rows = 0;
+            for (const Link& link : links) { rows += link.rows; }
+            // two other equations of a curve say what θ is, and one thing more; p1 and p2 of a screw stay
+            CHECK(rows == (type.has_curve() ? 1 : type.has_angle() ? 4 : 0));
+            if (type.has_curve()) { check_against_differences(moving(random, mechanism)); }
+        }
+    }
+    const JointType& curve = *find_joint_type("curve");
+    CHECK(links_without(curve, {Role::curve_x, Role::curve_z}).second.empty());
+
+    // a circle without the equation across its plane is a cylinder
+    constexpr double R = 0.7;
+    Joint joint;
+    joint.type = &curve;
+    joint.body_j = 1;
+    joint.geometry.curve = {Vec3::Zero(), Vec3::Zero(), {{R * Vec3::UnitX(), R * Vec3::UnitY()}}};
+    joint.without = {{Role::curve_z, 0}};
+    Mechanism mechanism;
+    mechanism.bodies.resize(2);
+    mechanism.joints = {joint};
+    const Scene scene = moving(random, mechanism);
+    const Link link = links_of(mechanism).at(0);
+    for (int k = 0; k < 20; ++k) {
+        const double angle = random.number(-3.0, 3.0);
+        const double off = random.number(-0.3, 0.3);
+        State state = scene.state;
+        state.r[1] = Vec3((R + off) * std::cos(angle), (R + off) * std::sin(angle), random.number());
+        const double value = scene.by_jacobian(link, link.equations[0].primitive, state, 0.0).value(0);
+        CHECK(std::abs(std::abs(value) - std::abs(off)) < 1e-12);
+    }
+}

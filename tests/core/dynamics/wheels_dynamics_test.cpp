@@ -44,6 +44,24 @@ Vec3 centre_of(const Simulation& simulation, const std::vector<double>& y, int b
     return simulation.point(y, body, simulation.scene().centres[at(body)]);
 }
 
+constexpr double kTolerance = 1e-8;
+
+/// Runs a scene in all ways. @param off  how far it is from where it should be, of (simulation, t, y) [m]
+template <class F>
+void check_in_all_ways(
+    const Mechanism& mechanism, const Loads& loads, const std::vector<double>& times, double bound, F&& off) {
+    for (const SimulationSettings& settings : all_ways(kTolerance)) {
+        CAPTURE(entry_of(settings.method).name, static_cast<int>(settings.formulation));
+        Simulation simulation(mechanism, loads, settings);
+        double worst = 0.0;
+        const auto outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
+            worst = std::max(worst, off(simulation, t, y));
+        });
+        CHECK_FALSE(outcome.failure);
+        CHECK(worst < bound);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("A falling rack turns its pinion, with both inertias, over many turns", "[dynamics][wheels]") {
@@ -58,23 +76,15 @@ TEST_CASE("A falling rack turns its pinion, with both inertias, over many turns"
     loads.masses = {std::nullopt, ball(scene, 1, Vec3::Zero(), 2.0, J), ball(scene, 2, Vec3::Zero(), m, 0.2)};
     loads.gravity = Vec3(1.0, -4.0, -8.0);
     const double acceleration = loads.gravity.dot(along) * m / (m + J / (r * r));
-    constexpr double tolerance = 1e-8;
-    for (const SimulationSettings& settings : all_ways(tolerance)) {
-        CAPTURE(entry_of(settings.method).name, static_cast<int>(settings.formulation));
-        Simulation simulation(scene.mechanism, loads, settings);
-        double worst = 0.0;
-        const auto outcome =
-            simulation.run({0.0, 1.0, 2.0, 3.0}, [&](double t, const std::vector<double>& y) {
-                const Vec3 expected = 0.5 * acceleration * t * t * along;
-                worst = std::max(worst, (centre_of(simulation, y, 2) - expected).norm());
-                // θ of the rack at the pose, turns included
-                const State state = simulation.snapshot(t, y).state;
-                worst = std::max(worst, std::abs(r * state.theta[0] + expected.dot(along)));
-            });
-        CHECK_FALSE(outcome.failure);
-        // 25 m of way at most: the tolerance is relative to the extent of less than 1 m, in each second
-        CHECK(worst < 100.0 * tolerance);
-    }
+    const auto off = [&](const Simulation& simulation, double t, const std::vector<double>& y) {
+        const Vec3 expected = 0.5 * acceleration * t * t * along;
+        // θ of the rack at the pose, turns included
+        const double theta = simulation.snapshot(t, y).state.theta[0];
+        return std::max(
+            (centre_of(simulation, y, 2) - expected).norm(), std::abs(r * theta + expected.dot(along)));
+    };
+    // 25 m of way at most: the tolerance is relative to the extent of less than 1 m, in each second
+    check_in_all_ways(scene.mechanism, loads, {0.0, 1.0, 2.0, 3.0}, 100.0 * kTolerance, off);
 }
 
 TEST_CASE("A planetary gear under a torque turns with the inertia of all its wheels", "[dynamics][wheels]") {
@@ -97,21 +107,13 @@ TEST_CASE("A planetary gear under a torque turns with the inertia of all its whe
     const double carrier = outer * inner / (outer * inner - 1.0);
     const double planet = carrier + outer * (1.0 - carrier);
     const double inertia = 0.02 + (0.05 + 0.4 * 1.05 * 1.05) * carrier * carrier + 0.01 * planet * planet;
-    constexpr double tolerance = 1e-8;
-    for (const SimulationSettings& settings : all_ways(tolerance)) {
-        CAPTURE(entry_of(settings.method).name, static_cast<int>(settings.formulation));
-        Simulation simulation(scene.mechanism, loads, settings);
-        double worst = 0.0;
-        const auto outcome =
-            simulation.run({0.0, 0.5, 1.3, 2.0}, [&](double t, const std::vector<double>& y) {
-                const double turned = carrier * 0.5 * 0.9 / inertia * t * t;
-                const Vec3 expected = std::cos(turned) * arm + std::sin(turned) * axis.cross(arm);
-                worst = std::max(worst, (centre_of(simulation, y, 3) - expected).norm());
-            });
-        CHECK_FALSE(outcome.failure);
-        // ten turns of the sun: its rate of 60 rad/s passes errors on
-        CHECK(worst < 1000.0 * tolerance);
-    }
+    const auto off = [&](const Simulation& simulation, double t, const std::vector<double>& y) {
+        const double turned = carrier * 0.5 * 0.9 / inertia * t * t;
+        const Vec3 expected = std::cos(turned) * arm + std::sin(turned) * axis.cross(arm);
+        return (centre_of(simulation, y, 3) - expected).norm();
+    };
+    // ten turns of the sun: its rate of 60 rad/s passes errors on
+    check_in_all_ways(scene.mechanism, loads, {0.0, 0.5, 1.3, 2.0}, 1000.0 * kTolerance, off);
 }
 
 TEST_CASE("A bead slides down a helical wire as down a straight one", "[dynamics][curves]") {
@@ -129,19 +131,12 @@ TEST_CASE("A bead slides down a helical wire as down a straight one", "[dynamics
     loads.masses = {std::nullopt, ball(scene, bead, start, 0.6, 0.01)};
     loads.gravity = 9.0 * down;
     const double acceleration = 9.0 * h / (R * R + h * h);
-    constexpr double tolerance = 1e-8;
-    for (const SimulationSettings& settings : all_ways(tolerance)) {
-        CAPTURE(entry_of(settings.method).name, static_cast<int>(settings.formulation));
-        Simulation simulation(scene.mechanism, loads, settings);
-        double worst = 0.0;
-        const auto outcome = simulation.run({0.0, 0.4, 1.0}, [&](double t, const std::vector<double>& y) {
-            const double theta = 0.3 + 0.5 * acceleration * t * t;
-            const Vec3 moved = helix.at(theta).c - helix.at(0.3).c;
-            const Vec3 expected = start + rotation_matrix(scene.mechanism.bodies[0].p) * moved;
-            worst = std::max(worst, (centre_of(simulation, y, bead) - expected).norm());
-        });
-        CHECK_FALSE(outcome.failure);
-        // up to thirty turns of the wire, each with the tolerance
-        CHECK(worst < 1000.0 * tolerance);
-    }
+    const auto off = [&](const Simulation& simulation, double t, const std::vector<double>& y) {
+        const double theta = 0.3 + 0.5 * acceleration * t * t;
+        const Vec3 moved = helix.at(theta).c - helix.at(0.3).c;
+        const Vec3 expected = start + rotation_matrix(scene.mechanism.bodies[0].p) * moved;
+        return (centre_of(simulation, y, bead) - expected).norm();
+    };
+    // up to thirty turns of the wire, each with the tolerance
+    check_in_all_ways(scene.mechanism, loads, {0.0, 0.4, 1.0}, 1000.0 * kTolerance, off);
 }

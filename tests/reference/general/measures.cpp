@@ -232,34 +232,28 @@ private:
         move(to, g);
         move(from, -g);
     }
-    /// δθ = (C δS - S δC) / (S² + C²) with S = (u_i × u_j) · s and C = u_i · u_j.
-    void angle(const Angle& m, Real weight) {
-        const Vec3 s = arm(m.s);
-        const Vec3 u_i = arm(m.u_i);
-        const Vec3 u_j = arm(m.u_j);
-        const Real S = u_i.cross(u_j).dot(s);
-        const Real C = u_i.dot(u_j);
-        const Real of_S = weight * C / (S * S + C * C);
-        const Real of_C = -weight * S / (S * S + C * C);
-        turn(m.s, of_S * u_i.cross(u_j));
-        turn(m.u_i, of_S * u_j.cross(s) + of_C * u_j);
-        turn(m.u_j, of_S * s.cross(u_i) + of_C * u_i);
-    }
-
-    /// The same with a line e in place of u_i: its change is passed on to what it is made of.
-    void wheel(const WheelAngle& m, Real weight) {
-        const bool of_centres = m.line == WheelAngle::Line::centres;
-        const bool of_axes = m.line == WheelAngle::Line::normal;
-        const Vec3 s = arm(m.s);
-        const Vec3 u = arm(m.u);
-        const Vec3 e = of_centres ? distance(m.from, m.to) : of_axes ? arm(m.a).cross(arm(m.b)) : arm(m.a);
+    /// Adds what an angle from e to u about s passes on to s and u.
+    /// δθ = (C δS - S δC) / (S² + C²) with S = (e × u) · s and C = e · u.
+    /// @return the factor of δe
+    Vec3 angle_from(const Vec3& e, const Fixed& to, const Fixed& about, Real weight) {
+        const Vec3 s = arm(about);
+        const Vec3 u = arm(to);
         const Real S = e.cross(u).dot(s);
         const Real C = e.dot(u);
         const Real of_S = weight * C / (S * S + C * C);
         const Real of_C = -weight * S / (S * S + C * C);
-        turn(m.s, of_S * e.cross(u));
-        turn(m.u, of_S * s.cross(e) + of_C * e);
-        const Vec3 g = of_S * u.cross(s) + of_C * u;
+        turn(about, of_S * e.cross(u));
+        turn(to, of_S * s.cross(e) + of_C * e);
+        return of_S * u.cross(s) + of_C * u;
+    }
+    void angle(const Angle& m, Real weight) { turn(m.u_i, angle_from(arm(m.u_i), m.u_j, m.s, weight)); }
+
+    /// An angle from a line, whose change is passed on to what the line is made of.
+    void wheel(const WheelAngle& m, Real weight) {
+        const bool of_centres = m.line == WheelAngle::Line::centres;
+        const bool of_axes = m.line == WheelAngle::Line::normal;
+        const Vec3 e = of_centres ? distance(m.from, m.to) : of_axes ? arm(m.a).cross(arm(m.b)) : arm(m.a);
+        const Vec3 g = angle_from(e, m.u, m.s, weight);
         if (of_centres) {
             part(m.from, m.to, g);
         } else if (of_axes) {

@@ -195,7 +195,7 @@ Joint Placing::joint(
         const Vec3 P = body_j.r + rotation_matrix(body_j.p) * g.P_j_local;
         g.curve.constant = local_point(body_i, P) - g.P_i_local - g.curve.at(theta).c;
         g.theta_start = theta;
-    } else if (type.artificial > 0 && !type.has_angle()) {
+    } else if (type.has_own_coordinate()) {
         set_wheels(joint, body_i, body_j, random, length_);
     }
     return joint;
