@@ -127,6 +127,8 @@ def with_unit(x, unit):
 
 def written(value, unit):
     if not isinstance(value, list):
+        if unit in ("deg", "rad", "m") and never.get(unit, True):  # few answers have a unit: all its ways first
+            return with_unit(value, unit)
         ways = [lambda: number(value, "an answer"), lambda: comma(value)]
         if unit:
             ways += 2 * [lambda: with_unit(value, unit)]
