@@ -42,7 +42,7 @@ breaks = true
 )"},
     CourseTexts{
         "four-bar-1",
-        R"(Three of the twenty equations repeat what parallel axes imply: their multipliers are not unique, the motion is.
+        R"(Three of the twenty equations are redundant, since the axes are parallel: their multipliers are not unique, the motion is.
 In line the rank falls by one more; velocities carry the mechanism through, and energy tells whether it was carried well.)",
         R"(
 [[question]]
@@ -97,7 +97,7 @@ The angles at 30 ms are known to 16 digits: an integrator is judged by its error
 at = "E6"
 ask = '''Seven bodies, ten hinges. What mobility does Grübler's count promise in space?'''
 count = "mobility_by_counting"
-why = '''$6 \cdot 7 - 5 \cdot 10 = -8$. There is one freedom all the same: nine equations repeat that all axes are parallel. In the plane, $3 \cdot 7 - 2 \cdot 10 = 1$.'''
+why = '''$6 \cdot 7 - 5 \cdot 10 = -8$. There is one freedom all the same: nine equations are redundant, since all axes are parallel. In the plane, $3 \cdot 7 - 2 \cdot 10 = 1$.'''
 
 [[question]]
 at = "motion"
@@ -128,7 +128,7 @@ count = "dof"
 why = '''One. The axes lie along edges of a cube, and one of the 30 equations follows from the others.'''
 
 [[try]]
-text = '''Take out one equation of p1. Any one that repeats the others will do: rank 29 stays.'''
+text = '''Take out one equation of p1. Any one that follows from the others will do: rank 29 stays.'''
 do = ["take out F p1 y"]
 
 [[try]]

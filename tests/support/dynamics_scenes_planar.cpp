@@ -118,7 +118,8 @@ one pendulum, so the exact motion is known.)");
         const int rod = add_rod(k);
         scene.hinge("right " + std::to_string(k), {coupler, right}, {rod, up}, kZ);
         if (k == 1) {
-            scene.say("A window closes: three of the five equations repeat what parallel axes imply.");
+            scene.say(
+                "A window closes: three of the five equations are redundant, since the axes are parallel.");
         }
         before = rod;
     }
@@ -240,7 +241,7 @@ digits are known.)");
          Cylinder{a.C - 0.003 * kZ, a.C + 0.003 * kZ, 0.0012}, Cylinder{-0.003 * kZ, 0.003 * kZ, 0.0012}});
 
     Loads& loads = scene.plan().loads;
-    loads.torques.push_back({k1, Vec3(0, 0, 0.033), Frame::global, {{1.0}, {}, {}}});
+    loads.torques.push_back({k1, Vec3(0, 0, 0.033), Frame::global, {.polynomial = {1.0}}});
     Spring spring;
     spring.body_j = k3;
     spring.P_i_local = a.C;

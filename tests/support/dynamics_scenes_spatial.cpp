@@ -68,7 +68,7 @@ later.)");
     scene.plan().duration = 10.0;
     scene.plan().point = BodyPoint{3, 0.5 * kZ};
     scene.plan().point_at_end = Vec3(0.999999963806, -1.000269012697, 0.999730951120);
-    scene.claim(30, 29, 1, "One equation repeats the others.");
+    scene.claim(30, 29, 1, "One equation follows from the others.");
     scene.prove(
         10.0, "energy.sum", -29.43, 1e-4,
         "At rest at the start, with centres at heights of 0, -0.5, -1, -1 and -0.5 m: -3 m g.");
