@@ -41,6 +41,14 @@ void add_function(
         part(which + " · start", step.start, "s");
         part(which + " · end", step.end, "s");
     }
+    if (!function.table) { return; }
+    const TimeTable& table = *function.table;
+    facts.text(Weight::pose, name + " · between values", word_of(kInterpolations, table.interpolation));
+    for (std::size_t k = 0; k < table.times.size(); ++k) {
+        const std::string which = counted("value", k);
+        part(which + " · time", table.times[k], "s");
+        part(which, factor * table.values[k], unit);
+    }
 }
 
 /// Adds the facts that forces and torques share. A constant load is a vector with its unit. For other loads,
@@ -49,7 +57,8 @@ template <class Load>
 void add_vector(const Load& load, const std::string& name, const std::string& unit, FactList& facts) {
     facts.text(Weight::pose, name + " · frame", word_of(kFrames, load.frame));
     const TimeFunction& magnitude = load.magnitude;
-    if (magnitude.harmonics.empty() && magnitude.steps.empty() && magnitude.polynomial.size() == 1) {
+    if (magnitude.harmonics.empty() && magnitude.steps.empty() && !magnitude.table &&
+        magnitude.polynomial.size() == 1) {
         facts.given(Weight::pose, name, magnitude.polynomial.front() * load.direction, unit);
         return;
     }
@@ -68,6 +77,9 @@ void add_forces(const Loads& loads, const Mechanism& mechanism, FactList& facts)
     for (std::size_t k = 0; k < loads.torques.size(); ++k) {
         const std::string name = counted("torque", k);
         facts.text(Weight::count, name, "on " + body_name(mechanism, loads.torques[k].body));
+        if (loads.torques[k].against >= 0) {
+            facts.text(Weight::pose, name + " · against", body_name(mechanism, loads.torques[k].against));
+        }
         add_vector(loads.torques[k], name, "N m", facts);
     }
 }
@@ -76,6 +88,7 @@ void add_spring(const Spring& spring, const std::string& name, FactList& facts) 
     facts.given(Weight::pose, name + " · from", spring.P_i_local, "m");
     facts.given(Weight::pose, name + " · to", spring.P_j_local, "m");
     facts.given(Weight::pose, name + " · stiffness", spring.stiffness, "N/m");
+    if (spring.s_i_local) { facts.given(Weight::pose, name + " · axis", *spring.s_i_local, ""); }
     facts.given(Weight::pose, name + " · free length", spring.free_length, "m");
     facts.given(Weight::pose, name + " · damping", spring.damping, "N s/m");
 }

@@ -13,7 +13,7 @@ namespace jw::snapshot {
 namespace {
 
 /// Values of a function of time, in the unit of the function.
-constexpr std::array<std::string_view, 4> kValues{"polynomial", "amplitude", "from", "to"};
+constexpr std::array<std::string_view, 5> kValues{"polynomial", "amplitude", "from", "to", "values"};
 
 }  // namespace
 

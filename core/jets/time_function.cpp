@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/elementary/elementary.hpp"
 
@@ -47,6 +48,14 @@ void add_step(TimeFunction::Value& value, const TimeFunction::SmoothStep& step, 
     value.f_ddot += rise * 60.0 * u * (1.0 - u) * (1.0 - 2.0 * u) / (duration * duration);
 }
 
+void add_table(TimeFunction::Value& value, const TimeTable& table, double t) {
+    const auto [start, c] = table.piece_at(t);
+    const double u = t - start;
+    value.f += c[0] + u * (c[1] + u * (c[2] + u * c[3]));
+    value.f_dot += c[1] + u * (2.0 * c[2] + u * 3.0 * c[3]);
+    value.f_ddot += 2.0 * c[2] + u * 6.0 * c[3];
+}
+
 using TaylorBounds = std::array<double, 5>;
 
 void bound_polynomial(TaylorBounds& bounds, const std::vector<double>& coefficients, double largest_t) {
@@ -86,11 +95,15 @@ std::array<double, 5> TimeFunction::taylor_bounds(double from, double to) const 
     bound_polynomial(bounds, polynomial, std::max(std::abs(from), std::abs(to)));
     for (const Harmonic& harmonic : harmonics) { bound_harmonic(bounds, harmonic); }
     for (const SmoothStep& step : steps) { bound_step(bounds, step, from, to); }
+    if (table) {
+        std::ranges::transform(bounds, table->taylor_bounds(from, to), bounds.begin(), std::plus<>());
+    }
     return bounds;
 }
 
 void TimeFunction::append_kinks(std::vector<double>& times) const {
     for (const SmoothStep& step : steps) { times.insert(times.end(), {step.start, step.end}); }
+    if (table) { times.insert(times.end(), table->times.begin(), table->times.end()); }
 }
 
 TimeFunction::Value TimeFunction::at(double t) const {
@@ -98,6 +111,7 @@ TimeFunction::Value TimeFunction::at(double t) const {
     add_polynomial(value, polynomial, t);
     for (const Harmonic& harmonic : harmonics) { add_harmonic(value, harmonic, t); }
     for (const SmoothStep& step : steps) { add_step(value, step, t); }
+    if (table) { add_table(value, *table, t); }
     return value;
 }
 

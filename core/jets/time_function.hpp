@@ -1,12 +1,15 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
+
+#include "core/jets/time_table.hpp"
 
 /// A function of time with its two derivatives, for drivers.
 namespace jw {
 
-/// Sum of a polynomial, harmonics and smooth steps; every part may be absent.
+/// Sum of a polynomial, harmonics, smooth steps and a table; every part may be absent.
 struct TimeFunction {
     struct Harmonic {
         double amplitude = 0.0;
@@ -31,16 +34,23 @@ struct TimeFunction {
         double f_ddot = 0.0;
     };
 
-    std::vector<double> polynomial;   ///< c0 + c1 t + c2 t² + ...
-    std::vector<Harmonic> harmonics;  ///< Σ a sin(ω t + phase)
-    std::vector<SmoothStep> steps;
+    std::vector<double> polynomial = {};   ///< c0 + c1 t + c2 t² + ...
+    std::vector<Harmonic> harmonics = {};  ///< Σ a sin(ω t + phase)
+    std::vector<SmoothStep> steps = {};
+    std::optional<TimeTable> table = {};
 
     Value at(double t) const;
-    /// Appends the times at which a smooth step begins or ends.
+    /// Appends the times at which a smooth step begins or ends, and those of the table.
     void append_kinks(std::vector<double>& times) const;
     /// Bounds between two times: entry k bounds |f^(k)| / k!; entry 0 is not used. Where a smooth step begins
-    /// or ends between them, its third derivative jumps, and the fourth has no bound.
+    /// or ends between them, its third derivative jumps, and the fourth has no bound; likewise at the times
+    /// of a table, whose second derivative may jump as well.
     std::array<double, 5> taylor_bounds(double from, double to) const;
+
+    /// True if its second derivative jumps at times, so that methods of integration lose their order there.
+    bool acceleration_jumps() const {
+        return table && table->interpolation == TimeTable::Interpolation::monotone;
+    }
 
     bool operator==(const TimeFunction&) const = default;
 };

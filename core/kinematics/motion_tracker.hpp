@@ -106,7 +106,7 @@ private:
     FollowedAngles angles_;
     StepProof proof_;
     Motion path_velocity_;       ///< of the frame by all its equations; at change points, `frame_` omits one
-    std::vector<double> kinks_;  ///< times at which a third derivative of a driver jumps
+    std::vector<double> kinks_;  ///< times at which a derivative of a driver jumps
     double step_ = HUGE_VAL;     ///< length of a step that can be proved [s]
     /// Pose that was proved, with its velocity.
     struct Proved {

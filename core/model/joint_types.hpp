@@ -122,6 +122,9 @@ struct JointGeometry {
     /// Start estimate of the artificial coordinate and its rate; absent: measured at the start pose.
     std::optional<double> theta_start;      ///< [rad]
     std::optional<double> theta_dot_start;  ///< [rad/s]
+    /// Rates of its angle and its displacement that dynamics begins with; absent: any that the bodies have.
+    std::optional<double> angle_dot_start;         ///< [rad/s]
+    std::optional<double> displacement_dot_start;  ///< [m/s]
 
     bool operator==(const JointGeometry&) const = default;
 };

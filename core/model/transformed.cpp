@@ -20,6 +20,7 @@ Mechanism scaled(Mechanism mechanism, double factor) {
     for (Joint& joint : mechanism.joints) {
         JointGeometry& g = joint.geometry;
         for (double* length : {&g.length, &g.alpha, &g.d_0, &g.radii[0], &g.radii[1]}) { *length *= factor; }
+        if (g.displacement_dot_start) { *g.displacement_dot_start *= factor; }
         g.curve.constant *= factor;
         g.curve.linear *= factor;
         for (Curve::Harmonic& h : g.curve.harmonics) { h = {factor * h.cos, factor * h.sin}; }

@@ -69,6 +69,9 @@ void Certificate::find_loaded() {
     };
     std::ranges::for_each(loads.forces, mark);
     std::ranges::for_each(loads.torques, mark);
+    for (const AppliedTorque& torque : loads.torques) {
+        if (torque.against >= 0) { counts[at(torque.against)] = true; }
+    }
     std::ranges::for_each(loads.springs, mark_both);
     std::ranges::for_each(loads.rotational_springs, mark_both);
     for (std::size_t m = 0; m < moving_.size(); ++m) {

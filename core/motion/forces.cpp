@@ -19,11 +19,12 @@ void push(Bodies bodies, Forces forces, int body, const Vec3& point_local, const
     forces[at(body)].n_local += point_local.cross(bodies[at(body)].A.transpose() * f);
 }
 
-/// Distance between a spring's ends, and its rate.
+/// Distance between a spring's ends, or displacement along its axis, and its rate.
 struct Stretch {
-    double length = 0.0;        ///< [m]
-    Vec3 along = Vec3::Zero();  ///< unit vector from i to j; zero where the ends coincide
-    double rate = 0.0;          ///< [m/s]
+    double length = 0.0;              ///< [m]
+    Vec3 along = Vec3::Zero();        ///< unit vector from i to j, zero where the ends coincide; or the axis
+    double rate = 0.0;                ///< [m/s]
+    Vec3 end_i_local = Vec3::Zero();  ///< point of body i that the force acts on [m]
 };
 Stretch stretch_of(const Spring& spring, Bodies bodies) {
     const auto& i = bodies[at(spring.body_i)];
@@ -31,6 +32,15 @@ Stretch stretch_of(const Spring& spring, Bodies bodies) {
     const Vec3 d = j.r + j.A * spring.P_j_local - i.r - i.A * spring.P_i_local;
     const Vec3 d_dot = j.r_dot + j.A_dot * spring.P_j_local - i.r_dot - i.A_dot * spring.P_i_local;
     Stretch out;
+    out.end_i_local = spring.P_i_local;
+    if (spring.s_i_local) {
+        out.along = i.A * *spring.s_i_local;
+        out.length = out.along.dot(d);
+        out.rate = out.along.dot(d_dot) + (i.A_dot * *spring.s_i_local).dot(d);
+        // ∂ℓ/∂(turn of i) = s x d: the axis turns with body i, so the force acts on it at the point of j
+        out.end_i_local += i.A.transpose() * d;
+        return out;
+    }
     out.length = d.norm();
     if (out.length > 0.0) { out.along = d / out.length; }
     out.rate = out.along.dot(d_dot);
@@ -59,7 +69,11 @@ void add_applied(const Loads& loads, Bodies bodies, double t, Forces forces) {
     for (const AppliedTorque& torque : loads.torques) {
         const Vec3 n = torque.magnitude.at(t).f * torque.direction;
         const bool turns = torque.frame == Frame::local;
-        forces[at(torque.body)].n_local += turns ? n : (bodies[at(torque.body)].A.transpose() * n).eval();
+        const Vec3 n_local = turns ? n : (bodies[at(torque.body)].A.transpose() * n).eval();
+        forces[at(torque.body)].n_local += n_local;
+        if (torque.against < 0) { continue; }
+        forces[at(torque.against)].n_local -=
+            bodies[at(torque.against)].A.transpose() * (bodies[at(torque.body)].A * n_local);
     }
 }
 
@@ -68,7 +82,7 @@ void add_springs(const Loads& loads, Bodies bodies, Forces forces) {
         const Stretch s = stretch_of(spring, bodies);
         const Vec3 f =
             (spring.stiffness * (s.length - spring.free_length) + spring.damping * s.rate) * s.along;
-        push(bodies, forces, spring.body_i, spring.P_i_local, f);
+        push(bodies, forces, spring.body_i, s.end_i_local, f);
         push(bodies, forces, spring.body_j, spring.P_j_local, -f);
     }
     for (const RotationalSpring& spring : loads.rotational_springs) {

@@ -57,6 +57,14 @@ bool acts_about(const RotationalSpring& spring, const Joint& joint) {
            angle.u_j_local == spring.angle.u_j_local;
 }
 
+bool acts_along(const Spring& spring, const Joint& joint) {
+    if (!spring.s_i_local || !joint.type->has_displacement()) { return false; }
+    const DisplacementMeasure displacement = displacement_of(joint);
+    return joint.body_i == spring.body_i && joint.body_j == spring.body_j &&
+           displacement.s_i_local == *spring.s_i_local && displacement.B_i_local == spring.P_i_local &&
+           displacement.B_j_local == spring.P_j_local;
+}
+
 Centroidal centroidal(const Mechanism& mechanism, const Loads& loads) {
     Centroidal out{mechanism, loads, std::vector<Vec3>(mechanism.bodies.size(), Vec3::Zero())};
     for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {

@@ -34,17 +34,20 @@ struct AppliedTorque {
     Vec3 direction = Vec3::UnitZ();
     Frame frame = Frame::global;
     TimeFunction magnitude;  ///< [N m]
+    int against = -1;        ///< body that the opposite torque acts on; -1: none
 };
 
-/// Spring and damper between two points: f = k (ℓ - ℓ0) + c ℓ̇, pulling when positive.
+/// Spring and damper between two points: f = k (ℓ - ℓ0) + c ℓ̇, pulling when positive. With an axis, ℓ is the
+/// displacement along it, which may be negative, and f acts along it at the point of body j.
 struct Spring {
     int body_i = 0;
     int body_j = 0;
-    Vec3 P_i_local = Vec3::Zero();  ///< [m]
-    Vec3 P_j_local = Vec3::Zero();  ///< [m]
-    double stiffness = 0.0;         ///< k [N/m]
-    double free_length = 0.0;       ///< ℓ0 [m]
-    double damping = 0.0;           ///< c [N s/m]
+    Vec3 P_i_local = Vec3::Zero();                 ///< [m]
+    Vec3 P_j_local = Vec3::Zero();                 ///< [m]
+    double stiffness = 0.0;                        ///< k [N/m]
+    double free_length = 0.0;                      ///< ℓ0 [m]
+    double damping = 0.0;                          ///< c [N s/m]
+    std::optional<Vec3> s_i_local = std::nullopt;  ///< unit axis fixed in body i
 };
 
 /// Spring and damper about the axis of a joint: torque -k (θ - θ0) - c θ̇ from body i on body j.
@@ -62,6 +65,8 @@ struct RotationalSpring {
 
 /// True if the spring acts about the axis of the joint, between its bodies, with the same zero angle.
 bool acts_about(const RotationalSpring& spring, const Joint& joint);
+/// True if the spring acts along the axis of the joint, between its bodies, with the same zero displacement.
+bool acts_along(const Spring& spring, const Joint& joint);
 
 /// Masses of the bodies, and the loads on them.
 struct Loads {

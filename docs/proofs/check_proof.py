@@ -108,6 +108,16 @@ def function_of_time(f, t, span):
         u = (t - type(t)(start)).times(ONE / (end - start)) if not (is_before or is_after) else type(t)(ONE * is_after)
         shape = u * u * u * ((u.times(6 * ONE) - type(t)(15 * ONE)) * u + type(t)(10 * ONE))
         value = value + type(t)(first) + shape.times(last - first)
+    if "table" in f:  # piece k holds from time k - 1 to time k
+        times = f["table"]["times"]
+        k = sum(1 for x in times if x <= span[0])
+        if k < len(times) and span[1] > times[k]:
+            raise Wrong("it leads over a time of a driver's table")
+        start, c = f["table"]["pieces"][k]
+        u, sum_of_powers = t - type(t)(iv.mpf(start)), type(t)(ZERO)
+        for coefficient in reversed(c):
+            sum_of_powers = sum_of_powers * u + type(t)(iv.mpf(coefficient))
+        value = value + sum_of_powers
     return value
 
 

@@ -58,6 +58,7 @@ enum class Code {
     ends_before_start,
     no_motion,
     rate_at_rest,
+    table_times,
     // dynamics
     needs_dynamics,
     no_mass,
@@ -139,6 +140,7 @@ inline constexpr std::array kCodes{
     CodeEntry{Code::ends_before_start, "JW504", "The end comes before the start"},
     CodeEntry{Code::no_motion, "JW505", "There is no motion at that time"},
     CodeEntry{Code::rate_at_rest, "JW506", "A rate is claimed where nothing moves"},
+    CodeEntry{Code::table_times, "JW507", "The times of a table do not fit"},
 
     CodeEntry{Code::needs_dynamics, "JW601", "Masses and forces need [dynamics]"},
     CodeEntry{Code::no_mass, "JW602", "A body has no mass"},

@@ -14,12 +14,17 @@ inline constexpr int kMostCoefficients = 50;
 /// Intervals of a motion.
 inline constexpr int kMostIntervals = 100000;
 
-/// Keys of a function of time. @param harmonic, step  tables of its terms
-constexpr std::array<Key, 3> function_of_time(std::string_view harmonic, std::string_view step) {
+/// Times of a table.
+inline constexpr int kMostTimes = 1000;
+
+/// Keys of a function of time. @param harmonic, step, table  tables of its terms
+constexpr std::array<Key, 4> function_of_time(
+    std::string_view harmonic, std::string_view step, std::string_view table) {
     return {
         counted("polynomial", KeyKind::numbers, "coefficients c0, c1, c2, ... of t^k", 1, kMostCoefficients),
         in_table("harmonics", KeyKind::tables, "sines of time", harmonic),
-        in_table("step", KeyKind::tables, "smooth steps from one value to another", step)};
+        in_table("step", KeyKind::tables, "smooth steps from one value to another", step),
+        in_table("table", KeyKind::table, "values at given times", table)};
 }
 
 inline std::vector<std::string> driven_quantities() {
@@ -45,7 +50,7 @@ inline constexpr std::array kDriver = joined(
         one_of("coordinate", "coordinate of the body", words_in<kCoordinates>),
         Key{"from_start", KeyKind::flag, "adds the value at the start pose"},
         Key{"text", KeyKind::words, "the author's words in its step"}},
-    function_of_time("harmonic_of_driver", "smooth_step_of_driver"),
+    function_of_time("harmonic_of_driver", "smooth_step_of_driver", "values_of_driver"),
     std::array{spelled(
         counted(
             "polynomial", KeyKind::numbers, "coefficients c0, c1, c2, ... of t^k of an angle", 1,
@@ -67,8 +72,18 @@ constexpr std::array<Key, 4> smooth_step(std::string_view unit) {
         Key{"start_s", KeyKind::number, "time at which it starts; default 0"},
         required({"end_s", KeyKind::number, "time at which it ends"})};
 }
+constexpr std::array<Key, 3> values_at_times(std::string_view unit) {
+    return {
+        required(
+            counted(
+                "times_s", KeyKind::numbers, "increasing times, from the start to the end", 2, kMostTimes),
+            "the times of the values, in s"),
+        Key{"values", KeyKind::numbers, "one value for each time", unit},
+        one_of("interpolation", "what lies between; default smooth", words_in<kInterpolations>)};
+}
 inline constexpr std::array kHarmonic = harmonic("");
 inline constexpr std::array kSmoothStep = smooth_step("");
+inline constexpr std::array kValues = values_at_times("");
 
 /// Values of a driver are lengths or angles.
 inline constexpr std::array kHarmonicOfDriver = joined(
@@ -78,6 +93,9 @@ inline constexpr std::array kSmoothStepOfDriver = joined(
     smooth_step("m"), std::array{
                           spelled({"from", KeyKind::number, "angle before; default 0"}, Spelling::angle),
                           spelled({"to", KeyKind::number, "angle afterwards"}, Spelling::angle)});
+inline constexpr std::array kValuesOfDriver = joined(
+    values_at_times("m"),
+    std::array{spelled({"values", KeyKind::numbers, "one angle for each time"}, Spelling::angle)});
 
 inline constexpr std::array kMotion{
     Key{"from_s", KeyKind::number, "time at which everything is put together; default 0"},
@@ -119,25 +137,28 @@ constexpr auto load(std::string_view what, std::string_view direction, std::stri
             Key{what, KeyKind::vector, "three numbers; times the function of time if there is one", unit},
             Key{"direction", KeyKind::direction, direction},
             one_of("frame", "whose directions these are; 'local' turns with the body", words_in<kFrames>)},
-        function_of_time("harmonic", "smooth_step"));
+        function_of_time("harmonic", "smooth_step", "values"));
 }
 inline constexpr std::array kForce = joined(
     load("force", "instead: its direction, beside a function of time in N", "N"),
     std::array{
         Key{"at", KeyKind::vector, "point, global at the start pose", "m"},
         Key{"point", KeyKind::vector, "point in the frame of the body", "m"}});
-inline constexpr std::array kTorque =
-    load("torque", "instead: its direction, beside a function of time in N m", "N m");
+inline constexpr std::array kTorque = joined(
+    load("torque", "instead: its direction, beside a function of time in N m", "N m"),
+    std::array{Key{"against", KeyKind::text, "body that the opposite torque acts on"}});
 
 inline constexpr std::array kSpring{
-    required(counted("bodies", KeyKind::texts, "names of two bodies", 2, 2)),
+    counted("bodies", KeyKind::texts, "names of two bodies", 2, 2),
     Key{"at", KeyKind::vector, "point of the first body, global at the start pose", "m"},
     Key{"to", KeyKind::vector, "point of the second body, global at the start pose", "m"},
     Key{"point_i", KeyKind::vector, "point in the frame of the first body", "m"},
     Key{"point_j", KeyKind::vector, "point in the frame of the second body", "m"},
+    Key{"joint", KeyKind::text, "instead of bodies and points: joint along whose axis it acts"},
     Key{"stiffness", KeyKind::not_negative, "k", "N/m"},
     Key{"damping", KeyKind::not_negative, "c", "N s/m"},
-    Key{"free_length", KeyKind::not_negative, "length without force; default that at the start", "m"}};
+    Key{"free_length", KeyKind::not_negative, "length without force; default that at the start", "m"},
+    Key{"free_displacement", KeyKind::number, "of a joint, likewise", "m"}};
 
 inline constexpr std::array kRotationalSpring{
     required({"joint", KeyKind::text, "joint that has an angle"}),
@@ -150,8 +171,10 @@ inline constexpr std::array kMotionTables{
     KeyTable{"driver", kDriver},
     KeyTable{"harmonic_of_driver", kHarmonicOfDriver},
     KeyTable{"smooth_step_of_driver", kSmoothStepOfDriver},
+    KeyTable{"values_of_driver", kValuesOfDriver},
     KeyTable{"harmonic", kHarmonic},
     KeyTable{"smooth_step", kSmoothStep},
+    KeyTable{"values", kValues},
     KeyTable{"motion", kMotion},
     KeyTable{"dynamics", kDynamics},
     KeyTable{"point", kPoint},

@@ -123,7 +123,11 @@ inline constexpr std::array kJoint{
     spelled({"theta_0", KeyKind::number, "angle of a screw or a rack at d_0"}, Spelling::angle),
     spelled(
         {"theta", KeyKind::number, "start value of the coordinate of a screw or a wheel"}, Spelling::angle),
-    spelled({"theta_dot", KeyKind::number, "its rate at the start"}, Spelling::angular_velocity)};
+    spelled({"theta_dot", KeyKind::number, "its rate at the start"}, Spelling::angular_velocity),
+    spelled(
+        {"angle_dot", KeyKind::number, "rate of the joint's angle at the start of dynamics"},
+        Spelling::angular_velocity),
+    Key{"displacement_dot", KeyKind::number, "rate of its displacement at the start of dynamics", "m/s"}};
 
 /// Points of a closed curve; harmonics of any curve.
 inline constexpr int kFewestPoints = 3;

@@ -83,6 +83,10 @@ inline constexpr std::array kAngleRows{
 inline constexpr std::array kFrames{
     EnumWord<Frame>{Frame::global, "global"}, EnumWord<Frame>{Frame::local, "local"}};
 
+inline constexpr std::array kInterpolations{
+    EnumWord<TimeTable::Interpolation>{TimeTable::Interpolation::smooth, "smooth"},
+    EnumWord<TimeTable::Interpolation>{TimeTable::Interpolation::monotone, "monotone"}};
+
 // keys of [[expect]]
 inline constexpr std::array kCounts{
     EnumWord<Count>{Count::rank, "rank"},

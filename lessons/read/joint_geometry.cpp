@@ -195,15 +195,27 @@ void read_pitch(Fields& fields, JointGeometry& g) {
     if (const auto alpha = fields.number("advance_per_rad")) { g.alpha = alpha->value; }
 }
 
+/// Rate of an angle [rad/s].
+std::optional<double> read_angular_rate(Fields& fields, const std::string& key) {
+    const std::string in_degrees = key + "_deg_per_s";
+    const std::string in_radians = key + "_rad_per_s";
+    if (!fields.at_most_one({in_degrees, in_radians})) { return std::nullopt; }
+    if (const auto rate = fields.number(in_radians)) { return rate->value; }
+    if (const auto rate = fields.number(in_degrees)) { return radians(rate->value); }
+    return std::nullopt;
+}
+
 /// Start values of the artificial coordinate.
 void read_theta(Fields& fields, JointGeometry& g) {
     if (const auto theta = fields.angle("theta")) { g.theta_start = theta->value; }
-    if (fields.at_most_one({"theta_dot_deg_per_s", "theta_dot_rad_per_s"})) {
-        if (const auto rate = fields.number("theta_dot_rad_per_s")) { g.theta_dot_start = rate->value; }
-        if (const auto rate = fields.number("theta_dot_deg_per_s")) {
-            g.theta_dot_start = radians(rate->value);
-        }
-    }
+    g.theta_dot_start = read_angular_rate(fields, "theta_dot");
+}
+
+/// Start rates of the freedoms that the joint has.
+void read_start_rates(Fields& fields, const JointType& type, JointGeometry& g) {
+    if (type.has_angle()) { g.angle_dot_start = read_angular_rate(fields, "angle_dot"); }
+    if (!type.has_displacement()) { return; }
+    if (const auto rate = fields.number("displacement_dot")) { g.displacement_dot_start = rate->value; }
 }
 
 /// The advance of a screw or a rack, once alpha is known.
@@ -358,6 +370,7 @@ void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint) {
     if (type.uses(Role::rack_advance)) { read_rack(fields, pair, type, g); }
     if (type.has_curve()) { read_curve(fields, g); }
     if (type.uses(Role::wheel_i) || type.uses(Role::bevel_i)) { read_gear(fields, type, g); }
+    read_start_rates(fields, type, g);
 }
 
 }  // namespace jw::reading

@@ -158,6 +158,14 @@ private:
 
 /// Checks the values over the motion and over the time of integration; without either, those at t = 0.
 void check_over_all_times(Fields& fields, const Lesson& lesson, const Driver& driver) {
+    if (lesson.dynamics && driver.function.acceleration_jumps()) {
+        fields.problems().add(
+            Code::cannot_be_driven, fields.span("table"),
+            fields.what() +
+                " follows a monotone table, whose acceleration jumps at its times; expected "
+                "interpolation = \"smooth\" in a lesson with [dynamics]",
+            "methods of integration need a continuous acceleration");
+    }
     const bool distance = std::holds_alternative<SquaredDistanceMeasure>(driver.measure);
     const int errors = fields.problems().errors_count();
     const double duration = lesson.dynamics ? lesson.dynamics->duration : 0.0;

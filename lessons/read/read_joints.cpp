@@ -18,7 +18,11 @@ void check_keys(Fields& fields) {
     fields.numbers("radii");
     fields.raw("curve");
     for (const char* key : {"theta_0", "theta"}) { fields.angle(key); }
-    for (const char* key : {"theta_dot_rad_per_s", "theta_dot_deg_per_s"}) { fields.number(key); }
+    for (const char* key :
+         {"theta_dot_rad_per_s", "theta_dot_deg_per_s", "angle_dot_rad_per_s", "angle_dot_deg_per_s",
+          "displacement_dot"}) {
+        fields.number(key);
+    }
     for (const char* key : {"angle_row", "parallel"}) { fields.text(key); }
     fields.texts("without");
 }

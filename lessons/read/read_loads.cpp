@@ -15,7 +15,7 @@ constexpr double kShortestSpring = 1e-9;
 struct Vector {
     Vec3 direction = Vec3::UnitX();
     Frame frame = Frame::global;
-    TimeFunction magnitude{{1.0}, {}, {}};
+    TimeFunction magnitude{.polynomial = {1.0}};
 };
 Vector read_vector(Fields& fields, const char* what, const char* unit, double duration) {
     Vector out;
@@ -57,14 +57,24 @@ void read_torque(Fields& fields, Reading& reading) {
     fields.require("body", "the name of a body that moves");
     const Named* named = name ? reading.body(*name) : nullptr;
     const Vector vector = read_vector(fields, "torque", "N m", plan.duration);
+    const auto other = fields.text("against");
+    const Named* against = other ? reading.body(*other) : nullptr;
     fields.finish();
-    if (named == nullptr) { return; }
+    if (named == nullptr || (other && against == nullptr)) { return; }
+    if (against != nullptr && against->index == named->index) {
+        fields.problems().add(
+            Code::same_body, other->span,
+            "the torque on body " + in_quotes(name->value) +
+                " acts against the same body; expected another one");
+    }
     if (reading.lesson.mechanism.bodies[static_cast<std::size_t>(named->index)].fixed) {
         fields.problems().add(
             Code::fixed_body, name->span,
             "body " + in_quotes(name->value) + " is fixed; expected one that moves");
     }
-    plan.loads.torques.push_back({named->index, vector.direction, vector.frame, vector.magnitude});
+    plan.loads.torques.push_back(
+        {named->index, vector.direction, vector.frame, vector.magnitude,
+         against != nullptr ? against->index : -1});
 }
 
 /// Keys `stiffness` and `damping`, at least one of them.
@@ -103,13 +113,59 @@ std::string way_out(const PairIndices& bodies, const Reading& reading) {
                                 (joint.body_i == bodies.j && joint.body_j == bodies.i);
         if (!is_between || !joint.type->has_displacement()) { continue; }
         return "for a spring on the displacement of joint " + in_quotes(joint.name) +
-               ", move 'at' back along its axis by more than it travels, and add that distance to "
-               "'free_length'";
+               ", give joint = " + in_quotes(joint.name) + " instead of bodies and points";
     }
     return "let its points be apart, with 'free_length' as the length at which it does not pull";
 }
 
+/// The joint under `joint`, which must leave that freedom.
+const Joint* read_joint_with(
+    Fields& fields, const Reading& reading, const char* freedom, bool (JointType::*has)() const) {
+    const auto name = fields.text("joint");
+    const Named* named = name ? reading.joint(*name) : nullptr;
+    if (named == nullptr || !named->sound) { return nullptr; }
+    const Joint& joint = reading.lesson.mechanism.joints[static_cast<std::size_t>(named->index)];
+    if ((joint.type->*has)()) { return &joint; }
+    fields.problems().add(
+        Code::no_such_freedom, name->span,
+        "joint " + in_quotes(name->value) + " of type " + std::string(joint.type->name) + " has no " +
+            freedom + "; expected a joint of type " + types_with(has));
+    return nullptr;
+}
+
+/// A spring along the axis of a joint.
+void read_spring_of_joint(Fields& fields, Reading& reading) {
+    for (const char* key : {"bodies", "at", "to", "point_i", "point_j", "free_length"}) {
+        fields.at_most_one({"joint", key});
+    }
+    Spring spring;
+    const Joint* joint = read_joint_with(fields, reading, "displacement", &JointType::has_displacement);
+    read_constants(fields, spring.stiffness, spring.damping);
+    const auto free = fields.number("free_displacement");
+    fields.finish();
+    if (joint == nullptr) { return; }
+    const DisplacementMeasure displacement = displacement_of(*joint);
+    spring.body_i = joint->body_i;
+    spring.body_j = joint->body_j;
+    spring.P_i_local = displacement.B_i_local;
+    spring.P_j_local = displacement.B_j_local;
+    spring.s_i_local = displacement.s_i_local;
+    const BodyPair pair = pair_of(reading, {joint->body_i, joint->body_j, true});
+    spring.free_length = free ? free->value : start_displacement(pair, joint->geometry);
+    reading.lesson.dynamics->loads.springs.push_back(spring);
+}
+
 void read_spring(Fields& fields, Reading& reading) {
+    if (fields.has("joint")) {
+        read_spring_of_joint(fields, reading);
+        return;
+    }
+    if (fields.has("free_displacement")) {
+        fields.problems().add(
+            Code::lonely_key, fields.span("free_displacement"),
+            "'free_displacement' needs 'joint' beside it; expected 'free_length' between points");
+        fields.number("free_displacement");
+    }
     const PairIndices bodies = read_pair(fields, reading);
     const BodyPair pair = pair_of(reading, bodies);
     Spring spring;
@@ -133,27 +189,18 @@ void read_spring(Fields& fields, Reading& reading) {
 
 void read_rotational_spring(Fields& fields, Reading& reading) {
     fields.call("rotational spring");
-    const auto name = fields.text("joint");
     fields.require("joint", "the joint about whose axis it acts");
     RotationalSpring spring;
+    const Joint* joint = read_joint_with(fields, reading, "angle", &JointType::has_angle);
     read_constants(fields, spring.stiffness, spring.damping);
     const auto free_angle = fields.angle("free_angle");
     fields.finish();
-    const Named* named = name ? reading.joint(*name) : nullptr;
-    if (named == nullptr || !named->sound) { return; }
-    const Joint& joint = reading.lesson.mechanism.joints[static_cast<std::size_t>(named->index)];
-    if (!joint.type->has_angle()) {
-        fields.problems().add(
-            Code::no_such_freedom, name->span,
-            "joint " + in_quotes(name->value) + " of type " + std::string(joint.type->name) +
-                " has no angle; expected a joint of type " + types_with(&JointType::has_angle));
-        return;
-    }
-    const BodyPair pair = pair_of(reading, {joint.body_i, joint.body_j, true});
-    spring.body_i = joint.body_i;
-    spring.body_j = joint.body_j;
-    spring.angle = angle_of(joint);
-    spring.free_angle = free_angle ? free_angle->value : start_angle(pair, joint.geometry);
+    if (joint == nullptr) { return; }
+    const BodyPair pair = pair_of(reading, {joint->body_i, joint->body_j, true});
+    spring.body_i = joint->body_i;
+    spring.body_j = joint->body_j;
+    spring.angle = angle_of(*joint);
+    spring.free_angle = free_angle ? free_angle->value : start_angle(pair, joint->geometry);
     reading.lesson.dynamics->loads.rotational_springs.push_back(spring);
 }
 
@@ -182,6 +229,19 @@ void check_coordinate_drivers(const Reading& reading) {
     }
 }
 
+/// Reports start rates of joints in a lesson without dynamics: no motion would begin with them.
+void check_start_rates(const Reading& reading) {
+    for (const Joint& joint : reading.lesson.mechanism.joints) {
+        const JointGeometry& g = joint.geometry;
+        const auto named = reading.names.find(joint.name);
+        if (named == reading.names.end() || (!g.angle_dot_start && !g.displacement_dot_start)) { continue; }
+        reading.problems->add(
+            Code::needs_dynamics, named->second.span,
+            "joint " + in_quotes(joint.name) + " has a start rate in a lesson without [dynamics]; expected " +
+                "a table [dynamics] with the 'duration' in s");
+    }
+}
+
 }  // namespace
 
 void read_loads(Fields& root, Reading& reading) {
@@ -197,7 +257,11 @@ void read_loads(Fields& root, Reading& reading) {
         }
         for (Fields& fields : root.tables(kind.key, kMostLoads)) { kind.read(fields, reading); }
     }
-    if (reading.lesson.dynamics) { check_coordinate_drivers(reading); }
+    if (reading.lesson.dynamics) {
+        check_coordinate_drivers(reading);
+    } else if (!dynamics_wrong) {
+        check_start_rates(reading);
+    }
 }
 
 }  // namespace jw::reading

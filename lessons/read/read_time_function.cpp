@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "lessons/format/motion_keys.hpp"
+#include "lessons/lesson/enum_words.hpp"
 #include "lessons/read/reading.hpp"
 #include "lessons/typed/exact_text.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 
 // more coefficients or parts than this are data, not a lesson
 constexpr std::size_t kMostParts = 100;
-// a shorter step has unrealistic accelerations [s]
+// a shorter step, or less time between two values, has unrealistic accelerations [s]
 constexpr double kShortestStep = 1e-6;
 // number of times at which values are checked
 constexpr int kMomentsLookedAt = 200;
@@ -29,18 +30,21 @@ struct ValueKeys {
     }
 };
 
+/// A list of values; for angles in radians.
+std::optional<Located<std::vector<double>>> read_values(
+    Fields& fields, const ValueKeys& keys, const std::string& key, int most) {
+    const auto count = static_cast<std::size_t>(most);
+    if (!keys.angle) { return fields.numbers(key, 0, count); }
+    if (!fields.at_most_one({key + "_deg", key + "_rad"})) { return std::nullopt; }
+    if (auto list = fields.numbers(key + "_rad", 0, count)) { return list; }
+    auto list = fields.numbers(key + "_deg", 0, count);
+    if (list) { std::ranges::transform(list->value, list->value.begin(), radians); }
+    return list;
+}
+
 void read_polynomial(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
-    const auto take = [&](const std::string& key) {
-        const auto list = fields.numbers(key, 0, format::kMostCoefficients);
-        if (list) { function.polynomial = list->value; }
-    };
-    if (!keys.angle) {
-        take("polynomial");
-    } else if (fields.at_most_one({"polynomial_deg", "polynomial_rad"})) {
-        take("polynomial_deg");
-        std::ranges::transform(function.polynomial, function.polynomial.begin(), radians);
-        take("polynomial_rad");
-    }
+    const auto list = read_values(fields, keys, "polynomial", format::kMostCoefficients);
+    if (list) { function.polynomial = list->value; }
 }
 
 void read_harmonic(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
@@ -82,6 +86,62 @@ void read_step(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
     function.steps.push_back(step);
 }
 
+/// Reports the first time that does not come after the one before it.
+bool are_increasing(Fields& fields, const Located<std::vector<double>>& times) {
+    for (std::size_t k = 1; k < times.value.size(); ++k) {
+        const double before = times.value[k - 1];
+        const double t = times.value[k];
+        if (t - before >= kShortestStep) { continue; }
+        const int digits = writing::digits_apart(t, before, 6);
+        fields.problems().add(
+            Code::table_times, times.span,
+            "in 'times_s', " + short_number(t, digits) + " s follows " + short_number(before, digits) +
+                " s; expected each time at least 1e-6 s after the one before");
+        return false;
+    }
+    return true;
+}
+
+void read_table(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
+    fields.call("the table");
+    fields.require("times_s");
+    keys.require(fields, "values", "one value for each time");
+    const auto times = fields.numbers("times_s", 0, format::kMostTimes);
+    const auto values = read_values(fields, keys, "values", format::kMostTimes);
+    const auto interpolation = fields.word("interpolation", kInterpolations);
+    fields.finish();
+    if (!times || !values || !are_increasing(fields, *times)) { return; }
+    if (times->value.size() < 2 || times->value.size() != values->value.size()) {
+        fields.problems().add(
+            Code::wrong_count, values->span,
+            "the table has " + std::to_string(times->value.size()) + " times and " +
+                std::to_string(values->value.size()) +
+                " values; expected at least two times, with a value each");
+        return;
+    }
+    function.table =
+        table_through(times->value, values->value, interpolation.value_or(TimeTable::Interpolation::smooth));
+}
+
+/// Reports a table that begins after `from` or ends before `to`.
+bool covers(Fields& fields, const TimeTable& table, double from, double to) {
+    const double first = table.times.front();
+    const double last = table.times.back();
+    // what rounding of a typed time leaves open
+    const double rounding = 1e-9 * std::max({1.0, std::abs(from), std::abs(to)});
+    if (first <= from + rounding && last >= to - rounding) { return true; }
+    const auto [begin, first_text] = std::pair(
+        short_number(from, writing::digits_apart(from, first, 6)),
+        short_number(first, writing::digits_apart(from, first, 6)));
+    const int digits = writing::digits_apart(to, last, 6);
+    fields.problems().add(
+        Code::table_times, fields.span(),
+        "the table of " + fields.what() + " has values from " + first_text + " s to " +
+            short_number(last, digits) + " s; expected values from " + begin + " s to " +
+            short_number(to, digits) + " s, the times of the motion");
+    return false;
+}
+
 }  // namespace
 
 TimeFunction read_time_function(Fields& fields, bool angle) {
@@ -92,10 +152,11 @@ TimeFunction read_time_function(Fields& fields, bool angle) {
         read_harmonic(harmonic, keys, function);
     }
     for (Fields& step : fields.tables("step", kMostParts)) { read_step(step, keys, function); }
+    if (auto table = fields.table("table")) { read_table(*table, keys, function); }
     if (!has_time_function(fields, angle)) {
         fields.missing(
             keys.name("polynomial"),
-            "a function of time: " + keys.name("polynomial") + ", harmonics or step");
+            "a function of time: " + keys.name("polynomial") + ", harmonics, step or table");
     }
     return function;
 }
@@ -103,10 +164,11 @@ TimeFunction read_time_function(Fields& fields, bool angle) {
 bool has_time_function(Fields& fields, bool angle) {
     const bool polynomial =
         angle ? fields.has("polynomial_deg") || fields.has("polynomial_rad") : fields.has("polynomial");
-    return polynomial || fields.has("harmonics") || fields.has("step");
+    return polynomial || fields.has("harmonics") || fields.has("step") || fields.has("table");
 }
 
 void check_values(Fields& fields, const TimeFunction& function, double from, double to, bool never_negative) {
+    if (function.table && !covers(fields, *function.table, from, to)) { return; }
     for (int k = 0; k <= kMomentsLookedAt; ++k) {
         const double t = from + (to - from) * k / kMomentsLookedAt;
         const TimeFunction::Value value = function.at(t);

@@ -91,7 +91,8 @@ std::optional<Mat3> read_frame(Fields& fields);
 TimeFunction read_time_function(Fields& fields, bool angle);
 /// True if one of its keys is there.
 bool has_time_function(Fields& fields, bool angle);
-/// Reports impossible values between two times: overflow, or negative ones if `never_negative`.
+/// Reports impossible values between two times: overflow, or negative ones if `never_negative`; and a table
+/// that does not cover them.
 void check_values(Fields& fields, const TimeFunction& function, double from, double to, bool never_negative);
 
 /// A point of a moving body: the keys `body` and `at` (global, at the start pose) or `point` (local).

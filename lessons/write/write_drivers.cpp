@@ -5,6 +5,7 @@
 #include "core/numerics/variants.hpp"
 #include "core/quantity/quantity.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/lesson/enum_words.hpp"
 #include "lessons/typed/typed.hpp"
 #include "lessons/write/writing.hpp"
 
@@ -66,6 +67,16 @@ std::string step_text(const TimeFunction::SmoothStep& step, bool angle) {
     return text + ", end_s = " + number_text(step.end) + " }";
 }
 
+std::string table_text(const TimeTable& table, bool angle) {
+    const AngleTexts typed = angle ? typed_angles(table.values) : AngleTexts{"", table.values};
+    std::string text = "{ times_s = " + list_text(table.times) + ", values" +
+                       (angle ? "_" + typed.unit : "") + " = " + list_text(typed.values);
+    if (table.interpolation != TimeTable::Interpolation::smooth) {
+        text += ", interpolation = " + string_text(word_of(kInterpolations, table.interpolation));
+    }
+    return text + " }";
+}
+
 /// Writes one table alone, several as a list.
 void write_parts(const std::string& name, const std::vector<std::string>& parts, Lines& lines) {
     if (parts.empty()) { return; }
@@ -120,8 +131,9 @@ void write_time_function(const TimeFunction& function, bool angle, Lines& lines)
     std::vector<std::string> steps;
     for (const auto& step : function.steps) { steps.push_back(step_text(step, angle)); }
     write_parts("step", steps, lines);
+    if (function.table) { lines.key("table", table_text(*function.table, angle)); }
     // a function without parts
-    if (function.polynomial.empty() && harmonics.empty() && steps.empty()) {
+    if (function.polynomial.empty() && harmonics.empty() && steps.empty() && !function.table) {
         lines.key("harmonics", "[]", "0 at all times");
     }
 }

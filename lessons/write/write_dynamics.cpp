@@ -38,7 +38,7 @@ void write_vector(
     const std::string& what, const std::string& unit, const Vec3& direction, Frame frame,
     const TimeFunction& magnitude, Lines& lines) {
     if (frame != Frame::global) { lines.key("frame", string_text(word_of(kFrames, frame))); }
-    const bool constant = magnitude == TimeFunction{{1.0}, {}, {}};
+    const bool constant = magnitude == TimeFunction{.polynomial = {1.0}};
     const bool unit_length = std::abs(direction.squaredNorm() - 1.0) <= kUnitUpToRounding;
     if (!constant && unit_length) {
         lines.key("direction", typed_direction(direction));
@@ -53,7 +53,34 @@ void write_constants(double stiffness, double damping, const std::string& per, L
     if (damping != 0.0) { lines.key("damping", damping); }
 }
 
+/// The first written joint that a spring acts on; nothing if all such joints are left out.
+/// @throws std::invalid_argument if the lesson has none
+std::optional<std::string> joint_of_spring(const Written& written, const auto& acts_on) {
+    const std::vector<Joint>& joints = written.lesson->mechanism.joints;
+    bool any = false;
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+        if (!acts_on(joints[k])) { continue; }
+        any = true;
+        if (written.has({Addition::Kind::joint, static_cast<int>(k)})) { return joints[k].name; }
+    }
+    if (!any) { throw std::invalid_argument("a spring of a lesson acts on the axis of one of its joints"); }
+    return std::nullopt;
+}
+
+void write_spring_of_joint(const Written& written, const Spring& spring, Lines& lines) {
+    const auto joint = joint_of_spring(written, [&](const Joint& j) { return acts_along(spring, j); });
+    if (!joint) { return; }
+    lines.table("[[spring]]");
+    lines.key("joint", string_text(*joint));
+    write_constants(spring.stiffness, spring.damping, "N/m", lines);
+    lines.key("free_displacement", spring.free_length, "m");
+}
+
 void write_spring(const Written& written, const Spring& spring, Lines& lines) {
+    if (spring.s_i_local) {
+        write_spring_of_joint(written, spring, lines);
+        return;
+    }
     lines.table("[[spring]]");
     lines.key("bodies", written.pair(spring.body_i, spring.body_j));
     lines.key("point_i", spring.P_i_local);
@@ -63,21 +90,12 @@ void write_spring(const Written& written, const Spring& spring, Lines& lines) {
 }
 
 void write_rotational_spring(const Written& written, const RotationalSpring& spring, Lines& lines) {
-    const std::vector<Joint>& joints = written.lesson->mechanism.joints;
-    bool any = false;
-    for (std::size_t k = 0; k < joints.size(); ++k) {
-        if (!acts_about(spring, joints[k])) { continue; }
-        any = true;
-        if (!written.has({Addition::Kind::joint, static_cast<int>(k)})) { continue; }
-        lines.table("[[rotational_spring]]");
-        lines.key("joint", string_text(joints[k].name));
-        write_constants(spring.stiffness, spring.damping, "N m/rad", lines);
-        lines.angle("free_angle", spring.free_angle);
-        return;
-    }
-    if (!any) {
-        throw std::invalid_argument("a rotational spring of a lesson acts about the axis of a joint");
-    }
+    const auto joint = joint_of_spring(written, [&](const Joint& j) { return acts_about(spring, j); });
+    if (!joint) { return; }
+    lines.table("[[rotational_spring]]");
+    lines.key("joint", string_text(*joint));
+    write_constants(spring.stiffness, spring.damping, "N m/rad", lines);
+    lines.angle("free_angle", spring.free_angle);
 }
 
 }  // namespace
@@ -107,6 +125,7 @@ void write_dynamics(const Written& written, Lines& lines) {
     for (const AppliedTorque& torque : plan.loads.torques) {
         lines.table("[[torque]]");
         lines.key("body", string_text(written.body(torque.body)));
+        if (torque.against >= 0) { lines.key("against", string_text(written.body(torque.against))); }
         write_vector("torque", "N m", torque.direction, torque.frame, torque.magnitude, lines);
     }
     for (const Spring& spring : plan.loads.springs) { write_spring(written, spring, lines); }

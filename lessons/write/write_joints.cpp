@@ -50,6 +50,11 @@ void write_theta(const JointType& type, const JointGeometry& g, Lines& lines) {
     if (g.theta_dot_start) { lines.angle("theta_dot", *g.theta_dot_start, "_per_s"); }
 }
 
+void write_start_rates(const JointGeometry& g, Lines& lines) {
+    if (g.angle_dot_start) { lines.angle("angle_dot", *g.angle_dot_start, "_per_s"); }
+    if (g.displacement_dot_start) { lines.key("displacement_dot", *g.displacement_dot_start, "m/s"); }
+}
+
 std::string text_of(const Vec3& v) {
     return '[' + number_text(v.x()) + ", " + number_text(v.y()) + ", " + number_text(v.z()) + ']';
 }
@@ -107,6 +112,7 @@ void write_joint(const Written& written, const Joint& joint, const Text& text, L
     if (joint.type->uses(Role::screw_advance)) { write_screw(joint.geometry, lines); }
     if (joint.type->has_own_coordinate()) { write_wheels(*joint.type, joint.geometry, lines); }
     if (joint.type->artificial > 0) { write_theta(*joint.type, joint.geometry, lines); }
+    write_start_rates(joint.geometry, lines);
     if (joint.parallel_form != ParallelForm::rule && std::ranges::any_of(joint.type->roles, is_parallel)) {
         lines.key("parallel", string_text(word_of(kParallelForms, joint.parallel_form)));
     }

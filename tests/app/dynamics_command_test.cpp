@@ -283,6 +283,40 @@ TEST_CASE("simulate says which start velocities it could not keep", "[app][dynam
     CHECK(run({"simulate", kPendulum, "--duration", "0.1"}).err.find("note") == std::string::npos);
 }
 
+TEST_CASE("simulate says which start rate of a joint it could not keep", "[app][dynamics]") {
+    const Folder folder;
+    std::string text = bytes_of(lesson_path("dynamics/sled-and-spring.toml"));
+    const std::size_t joint = text.find("[[joint]]");
+    std::string second = text.substr(joint, text.find("[dynamics]") - joint);
+    second.replace(second.find("\"rail\""), 6, "\"other\"");
+    second.replace(second.find("displacement_dot = 1 "), 21, "displacement_dot = 2 ");
+    text.insert(joint, second);
+    const Ran ran = run({"simulate", folder.file("two.toml", text), "--duration", "0.1"});
+    CHECK(ran.status == 0);
+    INFO(ran.err);
+    CHECK(ran.err.find("was given") != std::string::npos);
+    CHECK(ran.err.find("m/s and begins with 1.5 m/s, 0.5 m/s off") != std::string::npos);
+}
+
+TEST_CASE("Start rates of more than a hundred bodies are refused with a note", "[app][dynamics]") {
+    const Folder folder;
+    std::string text = "format = 1\ntitle = \"t\"\n";
+    for (int k = 0; k < 101; ++k) {
+        const std::string name = "sled " + std::to_string(k);
+        text += "[[body]]\nname = \"" + name +
+                "\"\nmass = 1\ninertia = [1, 1, 1]\n[[joint]]\nname = \"rail " + std::to_string(k) +
+                "\"\ntype = \"prismatic\"\nbodies = [\"ground\", \"" + name +
+                "\"]\nat = [0, 0, 0]\naxis = [1, 0, 0]\ndisplacement_dot = 1\n";
+    }
+    const Ran ran =
+        run({"simulate", folder.file("many.toml", text + "[dynamics]\nduration = 0.1\n"), "--samples", "1"});
+    CHECK(ran.status == 0);
+    INFO(ran.err);
+    CHECK(
+        ran.err.find("start rates of joints are kept in mechanisms of up to 100 moving bodies") !=
+        std::string::npos);
+}
+
 TEST_CASE("inspect --time shows where masses and forces have led to", "[app][dynamics]") {
     const Ran table = run({"simulate", kPendulum, "--duration", "0.5", "--samples", "1", "--format", "json"});
     const Ran seen = run({"inspect", kPendulum, "--time", "0.5", "--format", "json"});

@@ -41,6 +41,11 @@ double size_of(const TimeFunction& function) {
     for (const auto& h : function.harmonics) {
         size += std::abs(h.amplitude) * (1.0 + std::pow(std::abs(h.omega), 3));
     }
+    if (function.table) {
+        for (std::size_t k = 0; k <= function.table->times.size(); ++k) {
+            for (const double c : function.table->piece(k).c) { size += 100.0 * std::abs(c); }
+        }
+    }
     for (const auto& s : function.steps) {
         size += (std::abs(s.from) + std::abs(s.to)) * (1.0 + 60.0 * std::pow(s.end - s.start, -3));
     }
@@ -57,10 +62,14 @@ void promise_derivatives(const TimeFunction& function, double t) {
     for (const double x : {here.f, here.f_dot, here.f_ddot}) {
         promise(std::isfinite(x), "a value is finite");
     }
-    const double limit = 1e-9 * size_of(function);
+    // the second derivative of a table may jump at its times, and h is what a difference makes of that
+    const bool at_jump = function.table && std::ranges::any_of(function.table->times, [&](double time) {
+                             return std::abs(time - t) < 2.0 * h;
+                         });
+    const double limit = (at_jump ? h : 1e-9) * size_of(function);
     promise(std::abs((after.f - before.f) / (2 * h) - here.f_dot) < limit, "the rate is the derivative");
     // the third derivative of a step jumps where it begins and ends, and h is what a difference makes of that
-    const double bent = function.steps.empty() ? limit : h * size_of(function);
+    const double bent = function.steps.empty() && !at_jump ? limit : (at_jump ? 1.0 : h) * size_of(function);
     promise(std::abs((after.f_dot - before.f_dot) / (2 * h) - here.f_ddot) < bent, "so is the acceleration");
 }
 

@@ -50,7 +50,8 @@ public:
             "s_j", &G::h_i_local, "h_i", &G::h_j_local, "h_j", &G::u_i_local, "u_i", &G::u_j_local, "u_j");
         all(name, a, b, &G::length, "length", &G::alpha, "alpha", &G::d_0, "d_0", &G::theta_0, "theta_0",
             &G::curve, "curve", &G::ratio, "ratio", &G::radii, "radii", &G::screw_angle_form,
-            "screw_angle_form", &G::theta_start, "theta_start", &G::theta_dot_start, "theta_dot_start");
+            "screw_angle_form", &G::theta_start, "theta_start", &G::theta_dot_start, "theta_dot_start",
+            &G::angle_dot_start, "angle_dot_start", &G::displacement_dot_start, "displacement_dot_start");
     }
     void compare(const std::string& name, const Curve& a, const Curve& b) {
         all(name, a, b, &Curve::constant, "constant", &Curve::linear, "linear", &Curve::harmonics,
@@ -81,7 +82,11 @@ public:
     void compare(const std::string& /*name*/, const ThetaMeasure& /*a*/, const ThetaMeasure& /*b*/) {}
     void compare(const std::string& name, const TimeFunction& a, const TimeFunction& b) {
         all(name, a, b, &TimeFunction::polynomial, "polynomial", &TimeFunction::harmonics, "harmonics",
-            &TimeFunction::steps, "steps");
+            &TimeFunction::steps, "steps", &TimeFunction::table, "table");
+    }
+    void compare(const std::string& name, const TimeTable& a, const TimeTable& b) {
+        using T = TimeTable;
+        all(name, a, b, &T::interpolation, "interpolation", &T::times, "times", &T::values, "values");
     }
     void compare(const std::string& name, const TimeFunction::Harmonic& a, const TimeFunction::Harmonic& b) {
         using H = TimeFunction::Harmonic;
@@ -144,12 +149,12 @@ public:
     void compare(const std::string& name, const AppliedTorque& a, const AppliedTorque& b) {
         using T = AppliedTorque;
         all(name, a, b, &T::body, "body", &T::direction, "direction", &T::frame, "frame", &T::magnitude,
-            "magnitude");
+            "magnitude", &T::against, "against");
     }
     void compare(const std::string& name, const Spring& a, const Spring& b) {
         all(name, a, b, &Spring::body_i, "body_i", &Spring::body_j, "body_j", &Spring::P_i_local, "P_i",
             &Spring::P_j_local, "P_j", &Spring::stiffness, "stiffness", &Spring::free_length, "free_length",
-            &Spring::damping, "damping");
+            &Spring::damping, "damping", &Spring::s_i_local, "s_i");
     }
     void compare(const std::string& name, const RotationalSpring& a, const RotationalSpring& b) {
         using S = RotationalSpring;

@@ -43,6 +43,8 @@ inline JointGeometry as_in_lessons(const JointType& type, const JointGeometry& a
         g.theta_start = any.theta_start;
         g.theta_dot_start = any.theta_dot_start;
     }
+    if (type.has_angle()) { g.angle_dot_start = any.angle_dot_start; }
+    if (type.has_displacement()) { g.displacement_dot_start = any.displacement_dot_start; }
     return g;
 }
 
@@ -80,14 +82,21 @@ inline DynamicsPlan random_dynamics(Random& random, const Mechanism& m, unsigned
     if (seed % 3 > 1) { plan.point_at_end = random.vector(); }
     for (const Frame frame : {Frame::global, Frame::local}) {
         plan.loads.forces.push_back({1, random.vector(), random.vector(), frame, random_function(random)});
-        plan.loads.forces.push_back({2, random.vector(), random.direction(), frame, {{1.0}, {}, {}}});
+        plan.loads.forces.push_back({2, random.vector(), random.direction(), frame, {.polynomial = {1.0}}});
         plan.loads.torques.push_back({2, random.direction(), frame, random_function(random)});
-        plan.loads.torques.push_back({1, random.vector(), frame, {}});
+        plan.loads.torques.push_back({1, random.vector(), frame, {}, 2});
     }
+    plan.loads.forces.back().magnitude.table = random_table(random);
     plan.loads.springs = {
         {0, 1, random.vector(), random.vector(), random.number(0.0, 1e5), 0.0, random.number(0.0, 9.0)},
         {1, 2, random.vector(), random.vector(), 0.0, random.number(0.0, 9.0), 0.0}};
     for (const Joint& joint : m.joints) {
+        if (joint.type->has_displacement()) {
+            const DisplacementMeasure along = displacement_of(joint);
+            plan.loads.springs.push_back(
+                {joint.body_i, joint.body_j, along.B_i_local, along.B_j_local, random.number(0.0, 9.0),
+                 random.number(), random.number(0.0, 9.0), along.s_i_local});
+        }
         if (!joint.type->has_angle()) { continue; }
         plan.loads.rotational_springs.push_back(
             {joint.body_i, joint.body_j, angle_of(joint), random.number(0.0, 9.0), random.number(),
@@ -133,6 +142,9 @@ inline Lesson random_lesson(unsigned seed) {
         joint.body_j = 2;
         if (seed % 2 == 0) { joint.geometry.theta_start = random.number(-20.0, 20.0); }
         if (seed % 3 == 0) { joint.geometry.theta_dot_start = random.number(); }
+        // start rates need dynamics, which every second lesson has
+        if (seed % 6 == 4) { joint.geometry.angle_dot_start = random.number(); }
+        if (seed % 6 < 5 && seed % 2 == 0) { joint.geometry.displacement_dot_start = random.number(); }
         joint.geometry = as_in_lessons(type, joint.geometry);
         if (!std::ranges::any_of(type.roles, is_parallel)) { joint.parallel_form = ParallelForm::rule; }
         // every third equation is out, the last one first

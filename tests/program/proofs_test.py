@@ -194,6 +194,20 @@ def check_undriven(folder):
     assert verdict(data) == "no: of the motion nothing is proved; 2 steps are claimed only: nothing drives the motion", verdict(data)
 
 
+def check_table(folder):
+    """A driver's table, over one of its times: proved, and refused when the function is another."""
+    data = json.loads(proof_of(folder, catalogue / "analysis/walking-leg.toml", "--to", 0.12, "--step", 0.03).read_text())
+    assert verdict(data).startswith("yes: "), verdict(data)
+    driver = next(k for k, q in enumerate(data["equations"]) if "table" in q.get("function", {}))
+    table = ["equations", driver, "function", "table"]
+    for piece in 1, 2:
+        for power in range(4):
+            said = verdict(changed(data, lambda c: c + 1.0, *table, "pieces", piece, 1, power))
+            assert said.startswith("no: "), f"coefficient {power} of piece {piece}: {said}"
+    said = verdict(changed(data, lambda t: t + 0.005, *table, "times", 1))
+    assert "leads over a time of a driver's table" in said, said
+
+
 def check_inspect(folder):
     """The rank of a linkage that counting gives no freedom: proved, and refused when a combination is another."""
     file = folder / "rank.json"
@@ -235,6 +249,7 @@ with tempfile.TemporaryDirectory() as place:
     check_outputs(folder)
     check_inspect(folder)
     check_undriven(folder)
+    check_table(folder)
     check_wrong_branch(folder, options)
     crossing = json.loads(proof_of(folder, catalogue / "loops/parallelogram.toml", "--from", 1.49, "--to", 1.51, "--step", 0.02).read_text())
     reasons = {step["not_proved"] for step in crossing["steps"] if "not_proved" in step}

@@ -57,7 +57,7 @@ struct Arbitrary<jw::test::DriverRecipe> {
         return gen::build<T>(
             gen::set(&T::quantity, soak::number(4)), gen::set(&T::joint, soak::number(12)),
             gen::set(&T::i, soak::number(12)), gen::set(&T::j, soak::number(12)),
-            gen::set(&T::function, soak::number(4)), gen::set(&T::seed, soak::seed()));
+            gen::set(&T::function, soak::number(8)), gen::set(&T::seed, soak::seed()));
     }
 };
 
@@ -66,7 +66,7 @@ struct Arbitrary<jw::test::LoadRecipe> {
     static Gen<jw::test::LoadRecipe> arbitrary() {
         using T = jw::test::LoadRecipe;
         return gen::build<T>(
-            gen::set(&T::kind, soak::number(4)), gen::set(&T::i, soak::number(12)),
+            gen::set(&T::kind, soak::number(8)), gen::set(&T::i, soak::number(12)),
             gen::set(&T::j, soak::number(12)), gen::set(&T::damped, soak::one_in(2)),
             gen::set(&T::seed, soak::seed()));
     }

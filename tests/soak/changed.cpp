@@ -22,6 +22,11 @@ TimeFunction changed(TimeFunction f, double factor, double time) {
     for (TimeFunction::SmoothStep& s : f.steps) {
         s = {factor * s.from, factor * s.to, time * s.start, time * s.end};
     }
+    if (f.table) {
+        for (double& t : f.table->times) { t *= time; }
+        for (double& value : f.table->values) { value *= factor; }
+        for (double& rate : f.table->rates) { rate *= factor / time; }
+    }
     return f;
 }
 
@@ -52,6 +57,8 @@ public:
         g.theta_0 *= c_.hand();
         if (g.theta_start) { *g.theta_start *= c_.hand(); }
         if (g.theta_dot_start) { *g.theta_dot_start *= c_.hand() / c_.time; }
+        if (g.angle_dot_start) { *g.angle_dot_start *= c_.hand() / c_.time; }
+        if (g.displacement_dot_start) { *g.displacement_dot_start *= c_.length / c_.time; }
     }
 
     void operator()(Driver& driver) const {
@@ -121,6 +128,7 @@ private:
         }
     }
     void change(Spring& s) const {
+        if (s.s_i_local) { s.s_i_local = c_.local(*s.s_i_local); }
         point(s.P_i_local);
         point(s.P_j_local);
         s.free_length *= c_.length;
@@ -154,6 +162,12 @@ TimeFunction backwards(const TimeFunction& f, double end) {
     for (TimeFunction::Harmonic& h : out.harmonics) { h = {-h.amplitude, h.omega, -h.omega * end - h.phase}; }
     // the way from 0 to 1 is that from 1 to 0 seen from its end
     for (TimeFunction::SmoothStep& s : out.steps) { s = {s.to, s.from, end - s.end, end - s.start}; }
+    if (f.table) {
+        std::vector<double> times(f.table->times.rbegin(), f.table->times.rend());
+        for (double& t : times) { t = end - t; }
+        out.table =
+            table_through(times, {f.table->values.rbegin(), f.table->values.rend()}, f.table->interpolation);
+    }
     return out;
 }
 

@@ -38,7 +38,9 @@ public:
         }
         for (const general::Torque& n : model_.torques) {
             const reference::Vec3 about = direction(placed, n.body, n.local, n.direction);
-            power += size(n.magnitude, t) * about.dot(placed[static_cast<std::size_t>(n.body)].omega);
+            const auto omega = [&](int body) { return placed[static_cast<std::size_t>(body)].omega; };
+            power += size(n.magnitude, t) * about.dot(omega(n.body));
+            if (n.against >= 0) { power -= size(n.magnitude, t) * about.dot(omega(n.against)); }
         }
         for (const general::Spring& s : model_.springs) { power += power_of(s, placed); }
         for (std::size_t k = 0; k < twists_.size(); ++k) { power += turning_power(k, placed); }
@@ -53,6 +55,12 @@ private:
     }
     /// -(k (ℓ - ℓ0) + c ℓ̇) ℓ̇, with 2 ℓ ℓ̇ the rate of ℓ².
     static Real power_of(const general::Spring& s, const general::PlacedBodies& placed) {
+        if (s.axis) {
+            const general::Taylor way = general::dot(
+                general::direction_of(placed, *s.axis),
+                general::point_of(placed, s.j) - general::point_of(placed, s.i));
+            return -(s.stiffness * (way.value - s.free_length) + s.damping * way.rate) * way.rate;
+        }
         const general::Taylor square = general::measured(general::SquaredDistance{s.i, s.j}, placed);
         const Real length = std::sqrt(square.value);
         if (!(length > 0.0L)) { return 0.0L; }

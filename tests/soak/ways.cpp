@@ -26,10 +26,10 @@ std::vector<Way> ways() {
 std::vector<double> with_events(const Generated& generated, std::vector<double> times) {
     const auto [first, last] = std::pair(times.front(), times.back());
     const auto add = [&](const TimeFunction& f) {
-        for (const auto& step : f.steps) {
-            for (const double t : {step.start, step.end}) {
-                if (t > first && t < last) { times.push_back(t); }
-            }
+        std::vector<double> kinks;
+        f.append_kinks(kinks);
+        for (const double t : kinks) {
+            if (t > first && t < last) { times.push_back(t); }
         }
     };
     for (const Driver& driver : generated.mechanism.drivers) { add(driver.function); }

@@ -38,6 +38,14 @@ inline Loads random_conservative_loads(Random& random, const Mechanism& mechanis
             {b - 1, b, random.vector(), random.vector(), random.number(1.0, 20.0), random.number(0.2, 1.0),
              0.0});
     }
+    if (mechanism.bodies.size() > 1) {
+        // along an axis, with numbers of its own, so that others stay what they were
+        Random along(static_cast<unsigned>(mechanism.bodies.size()));
+        const int last = static_cast<int>(mechanism.bodies.size()) - 1;
+        loads.springs.push_back(
+            {last - 1, last, along.vector(), along.vector(), along.number(1.0, 20.0), along.number(), 0.0,
+             along.direction()});
+    }
     for (const Joint& joint : mechanism.joints) {
         if (joint.type->name != "revolute" && joint.type->name != "cylindrical") { continue; }
         loads.rotational_springs.push_back(
@@ -56,7 +64,7 @@ inline Loads random_loads(Random& random, const Mechanism& mechanism) {
     for (int b = 0; b < static_cast<int>(mechanism.bodies.size()); ++b) {
         for (const Frame frame : {Frame::global, Frame::local}) {
             loads.forces.push_back({b, random.vector(), random.direction(), frame, random_function(random)});
-            loads.torques.push_back({b, random.direction(), frame, random_function(random)});
+            loads.torques.push_back({b, random.direction(), frame, random_function(random), b - 1});
         }
     }
     return loads;

@@ -86,6 +86,14 @@ inline TimeFunction random_function(Random& random) {
     return f;
 }
 
+/// A table of values at times from -3 to 3.
+inline TimeTable random_table(
+    Random& random, TimeTable::Interpolation interpolation = TimeTable::Interpolation::smooth) {
+    std::vector<double> values;
+    for (int k = 0; k < 5; ++k) { values.push_back(random.number()); }
+    return table_through({-3.0, -1.1, 0.35, 1.7, 3.0}, values, interpolation);
+}
+
 /// Two moving bodies and one driver of every measure.
 inline Mechanism random_drivers(Random& random) {
     Mechanism m;
@@ -108,6 +116,9 @@ inline Mechanism random_drivers(Random& random) {
     add(SquaredDistanceMeasure{random.vector(), random.vector()}, -1);
     for (int k = 0; k < 7; ++k) { add(CoordinateMeasure{k}, -1); }
     add(ThetaMeasure{}, 0);
+    // with numbers of their own, so that those of the caller stay what they were
+    Random of_tables(static_cast<unsigned>(m.drivers.size()));
+    for (Driver& driver : m.drivers) { driver.function.table = random_table(of_tables); }
     return m;
 }
 

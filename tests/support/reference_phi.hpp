@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "core/equations/system.hpp"
+#include "tests/reference/natural_spline.hpp"
 
 /// Φ of a system in long double, written from the definitions of the slides alone: no jets, no shared code.
 /// Tests differentiate it.
@@ -159,6 +160,10 @@ inline VX phi(const System& system, const Positions& q, Real t, bool homogeneous
                 std::min(Real(1), std::max(Real(0), (t - Real(s.start)) / (Real(s.end) - Real(s.start))));
             f += Real(s.from) +
                  (Real(s.to) - Real(s.from)) * (6 * u * u * u * u * u - 15 * u * u * u * u + 10 * u * u * u);
+        }
+        if (driver.function.table) {
+            const TimeTable& table = *driver.function.table;
+            f += reference::natural_spline(table.times, table.values, Real(t));
         }
         if (const auto* m = std::get_if<AngleMeasure>(&driver.measure)) {
             const V3 u_i = A_i * to_real(m->u_i_local);

@@ -63,6 +63,9 @@ private:
         for (const double c : function.polynomial) { add(c); }
         for (const auto& h : function.harmonics) { add(h.amplitude, h.omega, h.phase); }
         for (const auto& s : function.steps) { add(s.from, s.to, s.start, s.end); }
+        if (!function.table) { return; }
+        for (const double t : function.table->times) { add(t); }
+        for (const double value : function.table->values) { add(value); }
     }
     void add_dynamics(const DynamicsPlan& plan) {
         const Loads& loads = plan.loads;
@@ -82,6 +85,7 @@ private:
         }
         for (const Spring& s : loads.springs) {
             add(s.P_i_local, s.P_j_local, s.stiffness, s.damping, s.free_length);
+            if (s.s_i_local) { add(*s.s_i_local); }
         }
         for (const RotationalSpring& s : loads.rotational_springs) {
             add_measure(s.angle);

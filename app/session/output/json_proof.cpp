@@ -26,7 +26,16 @@ Json json_of(const TimeFunction& function) {
     for (const auto& h : function.harmonics) { harmonics.push_back({h.amplitude, h.omega, h.phase}); }
     Json steps = Json::array();
     for (const auto& s : function.steps) { steps.push_back({s.from, s.to, s.start, s.end}); }
-    return {{"polynomial", function.polynomial}, {"harmonics", harmonics}, {"smooth_steps", steps}};
+    Json json{{"polynomial", function.polynomial}, {"harmonics", harmonics}, {"smooth_steps", steps}};
+    if (function.table) {
+        const TimeTable& table = *function.table;
+        Json pieces = Json::array();
+        for (std::size_t k = 0; k <= table.times.size(); ++k) {
+            pieces.push_back({table.piece(k).start, table.piece(k).c});
+        }
+        json["table"] = {{"times", table.times}, {"pieces", pieces}};
+    }
+    return json;
 }
 
 const char* kind_of(const N1& /*c*/) { return "n1"; }

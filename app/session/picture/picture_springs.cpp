@@ -13,6 +13,8 @@ constexpr double kWireWidth = 2.4;
 /// Sizes relative to the picture's unit, or to the length of the spring.
 constexpr double kCoilRadius = 0.028;
 constexpr double kStraightEnd = 0.14;
+constexpr double kFreeLength = 0.35;
+constexpr double kShortest = 0.05;
 constexpr int kCoils = 9;
 constexpr int kPointsOfCoil = 24;
 constexpr double kInnermost = 0.02;
@@ -46,6 +48,17 @@ void add_coils(const PictureStyle& style, const Vec3& from, const Vec3& to, rend
     add_wire(std::move(points), scene);
 }
 
+/// Both ends of a spring along an axis. A displacement has no length without force, so kFreeLength takes its
+/// place: the spring ends at the point of body j and is seen at every displacement.
+std::pair<Vec3, Vec3> ends_along_axis(const PictureStyle& style, const State& state, const Spring& spring) {
+    const BodyFrame i = frame_of(state, spring.body_i);
+    const Vec3 axis = i.direction(*spring.s_i_local);
+    const Vec3 to = frame_of(state, spring.body_j).point(spring.P_j_local);
+    const double displacement = axis.dot(to - i.point(spring.P_i_local));
+    const double length = kFreeLength * style.unit + displacement - spring.free_length;
+    return {to - std::max(length, kShortest * style.unit) * axis, to};
+}
+
 /// Adds the symbol of a pure damper: a cylinder on a rod.
 void add_dashpot(const PictureStyle& style, const Vec3& from, const Vec3& to, render::Scene& scene) {
     add_wire({from, to}, scene);
@@ -76,8 +89,10 @@ void add_spiral(const PictureStyle& style, const PlacedJoint& j, render::Scene& 
 void add_springs(const Lesson& lesson, const PictureStyle& style, const State& state, render::Scene& scene) {
     if (!lesson.dynamics) { return; }
     for (const Spring& spring : lesson.dynamics->loads.springs) {
-        const Vec3 from = frame_of(state, spring.body_i).point(spring.P_i_local);
-        const Vec3 to = frame_of(state, spring.body_j).point(spring.P_j_local);
+        const Vec3 P_i = frame_of(state, spring.body_i).point(spring.P_i_local);
+        const Vec3 P_j = frame_of(state, spring.body_j).point(spring.P_j_local);
+        const auto [from, to] =
+            spring.s_i_local ? ends_along_axis(style, state, spring) : std::pair(P_i, P_j);
         if (!((to - from).norm() > kInnermost * style.unit)) { continue; }
         const auto add = spring.stiffness != 0.0 ? add_coils : add_dashpot;
         add(style, from, to, scene);

@@ -7,7 +7,9 @@
 #include "app/session/story/dynamics_rows.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
+#include "core/equations/assembler.hpp"
 #include "core/motion/reactions.hpp"
+#include "core/motion/start_velocities.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 
 namespace jw {
@@ -131,16 +133,33 @@ std::string pose_note(const Mechanism& given, const Snapshot& start) {
     return more > 0 ? tr("{0} (and {1} more, by less)", text, more) : text;
 }
 
-/// Note about the body whose start velocity was changed most; velocities that the author did not give do not
-/// count.
-std::string speed_note(const Mechanism& given, const Snapshot& start) {
-    constexpr double typed = 1e-4;  // what four digits leave open is not reported
+/// Largest start velocity of a body or joint that the author gave [extents per second, rad/s].
+double fastest_given(const Mechanism& given) {
     const double length = extent(given);
     double fastest = 0.0;
     for (const Body& body : given.bodies) {
         fastest = std::max({fastest, body.r_dot.norm() / length, body.omega_local.norm()});
     }
-    double most = typed * fastest;
+    for (const Joint& joint : given.joints) {
+        const JointGeometry& g = joint.geometry;
+        fastest = std::max(
+            {fastest, std::abs(g.angle_dot_start.value_or(0.0)),
+             std::abs(g.displacement_dot_start.value_or(0.0)) / length});
+    }
+    return fastest;
+}
+
+/// A start velocity that is not the given one.
+struct ChangedSpeed {
+    double by = 0.0;  ///< [extents per second, rad/s]
+    std::string text;
+};
+
+/// The velocity of a body that was changed most; those that the author did not give do not count.
+ChangedSpeed most_changed_body(const Mechanism& given, const Snapshot& start) {
+    constexpr double typed = 1e-4;  // what four digits leave open is not reported
+    const double length = extent(given);
+    double most = typed * fastest_given(given);
     std::string text;
     const auto compare = [&](const Body& body, const Vec3& wanted, const Vec3& found, double size,
                              const std::string& unit) {
@@ -157,7 +176,49 @@ std::string speed_note(const Mechanism& given, const Snapshot& start) {
         compare(body, body.omega_local, start.velocity.omega_local[b], 1.0, " rad/s");
         compare(body, body.r_dot, start.velocity.r_dot[b], length, " m/s");
     }
-    if (text.empty()) { return text; }
+    return {text.empty() ? 0.0 : most, text};
+}
+
+/// The start rate of a joint that was changed most.
+ChangedSpeed most_changed_rate(const Mechanism& given, const Snapshot& start) {
+    const double length = extent(given);
+    const double fastest = fastest_given(given);
+    ChangedSpeed most;
+    const auto compare = [&](const Joint& joint, const Measure& measure, double wanted, double size,
+                             const std::string& unit) {
+        const double found =
+            evaluate_measure(
+                measure, joint.body_i, joint.body_j, -1, start.state, start.velocity, zero_motion(given))
+                .rate;
+        const double off = std::abs(found - wanted);
+        if (keeps_rate(off / size, wanted / size, fastest) || off / size <= most.by) { return; }
+        most.by = off / size;
+        most.text =
+            tr("joint {0} was given {1} and begins with {2}, {3} off", in_quotes(joint.name),
+               number_text(wanted, 4) + unit, number_text(found, 4) + unit, number_text(off, 2) + unit);
+    };
+    for (const Joint& joint : given.joints) {
+        const JointGeometry& g = joint.geometry;
+        if (g.angle_dot_start) { compare(joint, angle_of(joint), *g.angle_dot_start, 1.0, " rad/s"); }
+        if (g.displacement_dot_start) {
+            compare(joint, displacement_of(joint), *g.displacement_dot_start, length, " m/s");
+        }
+    }
+    return most;
+}
+
+/// Note about the body or joint whose start velocity was changed most.
+std::string speed_note(const Mechanism& given, const Snapshot& start) {
+    const ChangedSpeed of_body = most_changed_body(given, start);
+    const ChangedSpeed of_joint = most_changed_rate(given, start);
+    const std::string& text = of_joint.by > of_body.by ? of_joint.text : of_body.text;
+    if (text.empty()) { return {}; }
+    if (!of_joint.text.empty() && given.moving_bodies_count() > kMostBodiesWithRates) {
+        return tr(
+            "start rates of joints are kept in mechanisms of up to {0} moving bodies; give the velocities of "
+            "the bodies: {1}",
+            kMostBodiesWithRates, text);
+    }
     return tr("the start velocities do not fit the joints; the nearest ones that do are used: {0}", text);
 }
 

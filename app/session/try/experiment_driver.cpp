@@ -2,6 +2,7 @@
 
 #include "app/session/try/experiment_parts.hpp"
 #include "core/quantity/quantity.hpp"
+#include "lessons/lesson/enum_words.hpp"
 #include "lessons/typed/exact_text.hpp"
 #include "lessons/typed/typed.hpp"
 
@@ -30,11 +31,12 @@ double value(Words& words, Unit unit, const std::string& per, const std::string&
     return degrees_follow(words, unit, per) ? radians(number) : number;
 }
 
+bool is_number(std::string_view word) { return word.find_first_of("+-.0123456789") == 0; }
+
 /// Numbers up to the next word that is not a number, all in one unit.
 std::vector<double> values(Words& words, Unit unit, const std::string& what) {
     std::vector<double> all;
-    const auto is_number = [&] { return words.peek().find_first_of("+-.0123456789") == 0; };
-    do { all.push_back(words.number(what)); } while (is_number());
+    do { all.push_back(words.number(what)); } while (is_number(words.peek()));
     if (degrees_follow(words, unit, "")) { std::ranges::transform(all, all.begin(), radians); }
     return all;
 }
@@ -60,6 +62,22 @@ TimeFunction::SmoothStep read_step(Words& words, Unit unit) {
     return step;
 }
 
+/// "smooth at 0 0.5 1 s values 0 30 60 deg"
+TimeTable read_table(Words& words, Unit unit) {
+    static const std::vector<std::string> ways = words_of(kInterpolations);
+    const TimeTable::Interpolation interpolation =
+        kInterpolations[words.name(ways, "interpolation of a table")].value;
+    if (!words.take("at")) { throw Unreadable("expected 'at' and the times of the table"); }
+    std::vector<double> times;
+    do { times.push_back(words.number("a time [s]")); } while (is_number(words.peek()));
+    words.take("s");
+    if (!words.take("values")) { throw Unreadable("expected 'values' behind the times of the table"); }
+    std::vector<double> of_times = values(words, unit, "a value");
+    try {
+        return table_through(std::move(times), std::move(of_times), interpolation);
+    } catch (const std::invalid_argument& e) { throw Unreadable(e.what()); }
+}
+
 double& coefficient(TimeFunction& function, std::size_t power) {
     if (function.polynomial.size() <= power) {
         function.polynomial.resize(std::max<std::size_t>(2, power + 1));
@@ -68,15 +86,16 @@ double& coefficient(TimeFunction& function, std::size_t power) {
 }
 
 void read_clause(Words& words, Unit unit, TimeFunction& function) {
-    static const std::vector<std::string> clauses{"start",      "rate",     "function",
-                                                  "polynomial", "harmonic", "step"};
+    static const std::vector<std::string> clauses{"start",    "rate", "function", "polynomial",
+                                                  "harmonic", "step", "table"};
     switch (words.name(clauses, "part of a driver's function")) {
         case 0: coefficient(function, 0) = value(words, unit, "", "the start"); break;
         case 1: coefficient(function, 1) = value(words, unit, "/s", "the rate"); break;
         case 2: function = {}; break;
         case 3: function.polynomial = values(words, unit, "a coefficient"); break;
         case 4: function.harmonics.push_back(read_harmonic(words, unit)); break;
-        default: function.steps.push_back(read_step(words, unit)); break;
+        case 5: function.steps.push_back(read_step(words, unit)); break;
+        default: function.table = read_table(words, unit); break;
     }
 }
 
@@ -104,6 +123,11 @@ std::string whole_text(const TimeFunction& f, Unit unit) {
     for (const TimeFunction::SmoothStep& s : f.steps) {
         text += " step from " + values_text({s.from}, unit) + " to " + values_text({s.to}, unit) +
                 " between " + writing::number_text(s.start) + " " + writing::number_text(s.end) + " s";
+    }
+    if (f.table) {
+        text += std::string(" table ") + word_of(kInterpolations, f.table->interpolation) + " at";
+        for (const double t : f.table->times) { text += " " + writing::number_text(t); }
+        text += " s values " + values_text(f.table->values, unit);
     }
     return text;
 }

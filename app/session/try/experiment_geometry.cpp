@@ -34,7 +34,9 @@ struct OptionalKey {
 };
 constexpr std::array kOptional{
     OptionalKey{"theta_start", &JointGeometry::theta_start},
-    OptionalKey{"theta_dot_start", &JointGeometry::theta_dot_start}};
+    OptionalKey{"theta_dot_start", &JointGeometry::theta_dot_start},
+    OptionalKey{"angle_dot_start", &JointGeometry::angle_dot_start},
+    OptionalKey{"displacement_dot_start", &JointGeometry::displacement_dot_start}};
 
 constexpr const char* kAngleRow = "angle_row";
 

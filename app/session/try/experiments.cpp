@@ -42,9 +42,14 @@ bool is_finite(const TimeFunction& f) {
            std::ranges::all_of(
                f.harmonics,
                [&](const auto& h) { return finite(h.amplitude) && finite(h.omega) && finite(h.phase); }) &&
-           std::ranges::all_of(f.steps, [&](const auto& s) {
-               return finite(s.from) && finite(s.to) && finite(s.start) && finite(s.end) && s.start < s.end;
-           });
+           std::ranges::all_of(
+               f.steps,
+               [&](const auto& s) {
+                   return finite(s.from) && finite(s.to) && finite(s.start) && finite(s.end) &&
+                          s.start < s.end;
+               }) &&
+           (!f.table ||
+            (std::ranges::all_of(f.table->times, finite) && std::ranges::all_of(f.table->values, finite)));
 }
 
 bool usable(const JointGeometry& g) {
@@ -63,7 +68,8 @@ JointGeometry without_minus_zeros(JointGeometry g) {
         *v += Vec3::Zero();
     }
     for (double* x : {&g.length, &g.alpha, &g.d_0, &g.theta_0, &g.ratio}) { *x += 0.0; }
-    for (std::optional<double>* x : {&g.theta_start, &g.theta_dot_start}) {
+    for (std::optional<double>* x :
+         {&g.theta_start, &g.theta_dot_start, &g.angle_dot_start, &g.displacement_dot_start}) {
         if (*x) { **x += 0.0; }
     }
     return g;
@@ -76,6 +82,11 @@ TimeFunction without_minus_zeros(TimeFunction f) {
     }
     for (TimeFunction::SmoothStep& s : f.steps) {
         for (double* x : {&s.from, &s.to, &s.start, &s.end}) { *x += 0.0; }
+    }
+    if (f.table) {
+        for (auto* list : {&f.table->times, &f.table->values}) {
+            for (double& x : *list) { x += 0.0; }
+        }
     }
     return f;
 }
@@ -159,8 +170,7 @@ public:
         if (joint->type->uses(Role::length) && a.geometry.length <= 0.0) {
             return refused(tr("a length must be above 0"));
         }
-        joint->geometry = without_minus_zeros(a.geometry);
-        measure_anew(a.joint);
+        set_geometry(a.joint, without_minus_zeros(a.geometry));
         return done(tr("{0} moved", joint->name));
     }
 
@@ -198,6 +208,25 @@ private:
         return is_index(index, lesson_.mechanism.joints.size())
                    ? &lesson_.mechanism.joints[static_cast<std::size_t>(index)]
                    : nullptr;
+    }
+
+    /// Gives a joint another geometry. Its drivers and the springs on its axis measure by it from then on.
+    void set_geometry(int index, const JointGeometry& geometry) {
+        Joint& joint = lesson_.mechanism.joints[static_cast<std::size_t>(index)];
+        const Joint before = joint;
+        joint.geometry = geometry;
+        measure_anew(index);
+        if (!lesson_.dynamics) { return; }
+        for (Spring& spring : lesson_.dynamics->loads.springs) {
+            if (!acts_along(spring, before)) { continue; }
+            const DisplacementMeasure displacement = displacement_of(joint);
+            spring.s_i_local = displacement.s_i_local;
+            spring.P_i_local = displacement.B_i_local;
+            spring.P_j_local = displacement.B_j_local;
+        }
+        for (RotationalSpring& spring : lesson_.dynamics->loads.rotational_springs) {
+            if (acts_about(spring, before)) { spring.angle = angle_of(joint); }
+        }
     }
 
     /// Updates the measures of the drivers along a joint to its new geometry.

@@ -58,7 +58,7 @@ System with_rows_of(const System& other, System system) {
 
 Mechanism at_rest(Mechanism mechanism, double t) {
     for (Driver& driver : mechanism.drivers) {
-        driver.function = TimeFunction{{driver.function.at(t).f}, {}, {}};
+        driver.function = TimeFunction{.polynomial = {driver.function.at(t).f}};
     }
     return mechanism;
 }

@@ -48,6 +48,9 @@ TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>&
     const auto mark = [&](const auto& load) { pose_counts[at(load.body)] = true; };
     std::ranges::for_each(scene.loads.forces, mark);
     std::ranges::for_each(scene.loads.torques, mark);
+    for (const AppliedTorque& torque : scene.loads.torques) {
+        if (torque.against >= 0) { pose_counts[at(torque.against)] = true; }
+    }
     const auto mark_both = [&](const auto& both) {
         for (const int body : {both.body_i, both.body_j}) {
             pose_counts[at(body)] = needs_motion_[at(body)] = true;

@@ -40,7 +40,8 @@ std::vector<Experiment> all_experiments(const Lesson& lesson, Random& random) {
         moved.polynomial.resize(std::max<std::size_t>(2, moved.polynomial.size()));
         moved.polynomial[0] = random.number(-1.0, 1.0);
         moved.polynomial[1] = 0.5;
-        for (const TimeFunction& f : {moved, random_function(random), TimeFunction{}}) {
+        for (const TimeFunction& f :
+             {moved, random_function(random), TimeFunction{.table = random_table(random)}, TimeFunction{}}) {
             all.push_back(SetDriver{d, f});
         }
     }

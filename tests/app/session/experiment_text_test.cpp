@@ -73,6 +73,23 @@ std::string problem_of(const std::string& text, const Session& session) {
 
 }  // namespace
 
+TEST_CASE("Springs on the axis of a joint stay on it when it is given another", "[app][session]") {
+    for (const char* name : {"dynamics/sled-and-spring", "dynamics/torsion-pendulum"}) {
+        const Lesson lesson = lesson_named(name);
+        JointGeometry geometry = with_axis(lesson.mechanism.joints[0].geometry, false, Vec3(0.6, 0.48, 0.64));
+        geometry.P_i_local += Vec3(0.01, 0.02, 0.03);
+        const Edit edit = edited(lesson, lesson, SetGeometry{0, geometry});
+        CAPTURE(name, edit.what);
+        REQUIRE(edit.lesson);
+        const Joint& joint = edit.lesson->mechanism.joints[0];
+        const Loads& loads = edit.lesson->dynamics->loads;
+        for (const Spring& spring : loads.springs) { CHECK(acts_along(spring, joint)); }
+        for (const RotationalSpring& spring : loads.rotational_springs) { CHECK(acts_about(spring, joint)); }
+        CHECK(loads.springs.size() + loads.rotational_springs.size() == 1);
+        CHECK(lesson_text(*edit.lesson).find("spring]]") != std::string::npos);
+    }
+}
+
 TEST_CASE("every experiment is told in words that are read as the same experiment", "[app][session]") {
     Random random(7);
     std::set<std::size_t> kinds;

@@ -252,7 +252,7 @@ TEST_CASE("what is refused changes nothing and says why", "[app][session]") {
             refused.push_back(SetEquationPresent{0, {Role::screw_angle, 0}, false});
         }
         if (drivers > 0) {
-            refused.push_back(SetDriver{0, TimeFunction{{0.0, kNan}, {}, {}}});
+            refused.push_back(SetDriver{0, TimeFunction{.polynomial = {0.0, kNan}}});
             refused.push_back(SetDriver{0, TimeFunction{{}, {{1.0, kNan, 0.0}}, {}}});
         }
         const Seen before(session);

@@ -26,6 +26,11 @@ body = 'left rod' # of the torque
 direction = [1, 0, 0]
 harmonics = [{ amplitude = 0.5, frequency_hz = 2 }]
 step = [{ to = 4, end_s = 0.5 }]
+[[torque]]
+body = 'right rod'
+against = 'shaft'
+torque = [0, 0, 1]
+table = { times_s = [0, 1000], values = [1, 2] }
 )";
 }
 
@@ -87,6 +92,14 @@ TEST_CASE("forces and torques of a lesson are facts, each of its own scale", "[s
     CHECK(change("frequency_hz = 2", "frequency_hz = 3").name == "torque 1 · harmonic 1 · ω");
     CHECK(change("to = 4", "to = 5").name == "torque 1 · step 1 · to");
     CHECK(change("end_s = 0.5", "end_s = 0.6").name == "torque 1 · step 1 · end");
+    CHECK(
+        change("values = [1, 2]", "values = [1, 3]") ==
+        FactChange{Weight::pose, "torque 2 · value 2", "2 N m", "3 N m"});
+    CHECK(change("times_s = [0, 1000]", "times_s = [0, 1001]").name == "torque 2 · value 2 · time");
+    CHECK(
+        change("values = [1, 2]", "values = [1, 2], interpolation = 'monotone'").name ==
+        "torque 2 · between values");
+    CHECK(change("against = 'shaft'", "against = 'left rod'").name == "torque 2 · against");
     CHECK(
         change("body = 'left rod' # of the torque", "body = 'right rod'") ==
         FactChange{Weight::count, "torque 1", "on left rod", "on right rod"});

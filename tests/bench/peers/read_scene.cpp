@@ -110,7 +110,7 @@ void grow_tree(const Mechanism& mechanism, const State& state, PeerScene& scene,
 bool add_loads(const Loads& loads, const State& state, PeerScene& scene) {
     const auto A = [&](int body) { return rotation_matrix(state.p[static_cast<std::size_t>(body)]); };
     const auto constant = [](const TimeFunction& f) {
-        return f.polynomial.size() <= 1 && f.harmonics.empty() && f.steps.empty();
+        return f.polynomial.size() <= 1 && f.harmonics.empty() && f.steps.empty() && !f.table;
     };
     for (const AppliedForce& f : loads.forces) {
         if (f.frame != Frame::global || !constant(f.magnitude) || !f.point_local.isZero(0.0)) {
@@ -119,10 +119,11 @@ bool add_loads(const Loads& loads, const State& state, PeerScene& scene) {
         scene.wrenches.push_back({f.body, f.magnitude.at(0.0).f * f.direction, Vec3::Zero()});
     }
     for (const AppliedTorque& t : loads.torques) {
-        if (t.frame != Frame::global || !constant(t.magnitude)) { return false; }
+        if (t.frame != Frame::global || !constant(t.magnitude) || t.against >= 0) { return false; }
         scene.wrenches.push_back({t.body, Vec3::Zero(), t.magnitude.at(0.0).f * t.direction});
     }
     for (const Spring& s : loads.springs) {
+        if (s.s_i_local) { return false; }
         scene.springs.push_back(
             {s.body_i, s.body_j, A(s.body_i) * s.P_i_local, A(s.body_j) * s.P_j_local, s.stiffness,
              s.free_length, s.damping});

@@ -72,6 +72,9 @@ TEST_CASE(
         const Vec3 P_j = random.vector();
         Loads loads = without_loads(pair.mechanism, seed);
         loads.springs.push_back({0, 1, P_i, P_j, 0.0, 0.0, 1.7});
+        const bool has_axis = seed % 2 == 0;
+        const Vec3 s_i = random.direction();
+        if (has_axis) { loads.springs.back().s_i_local = s_i; }
         const auto bodies = test::bodies_of(pair.moment);
         const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment);
         double power = 0.0;
@@ -84,11 +87,14 @@ TEST_CASE(
             torque += bodies[b].r.cross(forces[b].f) + bodies[b].A * forces[b].n_local;
         }
         const auto length = [&](double t) {
-            const auto end = [&](std::size_t b, const Vec3& P) -> Vec3 {
-                const Vec4 p = turned_local(bodies[b].p, t * pair.moment.motion.omega_local[b]);
-                return bodies[b].r + t * bodies[b].r_dot + rotation_matrix(p) * P;
+            const auto turned = [&](std::size_t b, const Vec3& s) -> Vec3 {
+                return rotation_matrix(turned_local(bodies[b].p, t * pair.moment.motion.omega_local[b])) * s;
             };
-            return (end(1, P_j) - end(0, P_i)).norm();
+            const auto end = [&](std::size_t b, const Vec3& P) -> Vec3 {
+                return bodies[b].r + t * bodies[b].r_dot + turned(b, P);
+            };
+            const Vec3 d = end(1, P_j) - end(0, P_i);
+            return has_axis ? turned(0, s_i).dot(d) : d.norm();
         };
         const double h = 1e-5;  // h² and 1e-16 / h are below 1e-9
         const double rate = (length(h) - length(-h)) / (2.0 * h);
@@ -119,6 +125,21 @@ TEST_CASE(
         CHECK((forces[1].f - f).norm() < 1e-14);
         CHECK((A * forces[1].n_local - n).norm() < 1e-14);
         CHECK(forces[0].f.norm() + forces[0].n_local.norm() == 0.0);
+    }
+}
+
+TEST_CASE("A torque against another body acts on it in the opposite direction", "[core][dynamics][forces]") {
+    const Pair pair = random_pair(6);
+    const auto bodies = test::bodies_of(pair.moment);
+    const Vec3 direction(1.0, 2.0, -2.0);
+    for (const Frame frame : {Frame::global, Frame::local}) {
+        Loads loads = without_loads(pair.mechanism, 6);
+        loads.torques.push_back({1, direction, frame, TimeFunction{.polynomial = {3.0}}, 0});
+        const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment);
+        const Vec3 n = 3.0 * (frame == Frame::local ? (bodies[1].A * direction).eval() : direction);
+        CHECK((bodies[1].A * forces[1].n_local - n).norm() < 1e-14);
+        CHECK((bodies[0].A * forces[0].n_local + n).norm() < 1e-14);
+        CHECK(forces[0].f.norm() + forces[1].f.norm() == 0.0);
     }
 }
 

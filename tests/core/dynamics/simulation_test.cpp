@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include "core/equations/assembler.hpp"
 #include "core/integrate/simulation.hpp"
+#include "core/kinematics/kinematics.hpp"
 #include "tests/support/random_dynamics.hpp"
 
 using namespace jw;
@@ -208,4 +210,153 @@ TEST_CASE(
     const Motion nearest = started();
     CHECK((nearest.omega_local[1] - mechanism.bodies[1].omega_local).norm() > 1.0);
     CHECK((nearest.omega_local[3] - mechanism.bodies[3].omega_local).norm() > 1.0);
+}
+
+TEST_CASE(
+    "A start rate that is given for a joint of a loop is kept, and the bodies follow", "[core][dynamics]") {
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        test::Random random(seed);
+        Mechanism mechanism = test::four_bar_at(random.number(0.3, 2.5));
+        const auto k = static_cast<std::size_t>(seed % 4);
+        const double rate = random.number(-5.0, 5.0);
+        mechanism.joints[k].geometry.angle_dot_start = rate;
+        Loads loads;
+        loads.masses.emplace_back();
+        for (int body = 1; body < 4; ++body) { loads.masses.emplace_back(test::random_mass(random)); }
+        const auto started = [&] {
+            Simulation simulation(mechanism, loads, {});
+            Snapshot start;
+            const SimulationOutcome outcome = simulation.run(
+                {0.0}, [&](double, const std::vector<double>& y) { start = simulation.snapshot(0.0, y); });
+            REQUIRE_FALSE(outcome.failure);
+            CHECK(start.velocity_violation < 1e-12);
+            return start;
+        };
+        CAPTURE(seed, mechanism.joints[k].name, rate);
+        const Snapshot start = started();
+        const double found = angle_rate(mechanism.joints[k], start.state, start.velocity);
+        CHECK(std::abs(found - rate) < 1e-10 * (1.0 + std::abs(rate)));
+        // the same motion as that of a driver with this rate
+        Mechanism driven = mechanism;
+        const double angle = relative_angle(mechanism.joints[k], start.state);
+        const auto joint = static_cast<int>(k);
+        driven.drivers.push_back(
+            {"motor", joint, driven.joints[k].body_i, driven.joints[k].body_j, angle_of(driven.joints[k]),
+             TimeFunction{.polynomial = {angle, rate}}});
+        driven.joints[k].geometry.angle_dot_start = {};
+        System system(driven, everything(driven));
+        system.choose_rows(start.state);
+        Kinematics<OmegaLocal> kinematics(system);
+        kinematics.set_state(start.state, 0.0);
+        const Motion motion = kinematics.solve_velocity(zero_motion(driven)).velocity;
+        for (std::size_t b = 1; b < 4; ++b) {
+            CHECK((motion.omega_local[b] - start.velocity.omega_local[b]).norm() < 1e-8);
+        }
+        // two rates that no motion has: neither is kept
+        mechanism.joints[(k + 1) % 4].geometry.angle_dot_start = found * 100.0 + 1.0;
+        const Snapshot nearest = started();
+        CHECK(std::abs(angle_rate(mechanism.joints[k], nearest.state, nearest.velocity) - rate) > 1e-3);
+    }
+}
+
+TEST_CASE(
+    "A start rate that a singular pose does not allow moves nothing else, and one beside it is kept",
+    "[core][dynamics]") {
+    // a slider-crank at its dead centre: the slider has no velocity there, whatever the crank does
+    test::SceneBuilder scene;
+    const int crank = scene.add_body("crank", Vec3(0.1, 0.0, 0.0));
+    const int rod = scene.add_body("rod", Vec3(0.45, 0.0, 0.0));
+    const int slider = scene.add_body("slider", Vec3(0.7, 0.0, 0.0));
+    scene.add_joint("revolute", 0, crank, Vec3::Zero(), Vec3::UnitZ());
+    scene.add_joint("revolute", crank, rod, Vec3(0.2, 0.0, 0.0), Vec3::UnitZ());
+    scene.add_joint("revolute", rod, slider, Vec3(0.7, 0.0, 0.0), Vec3::UnitZ());
+    scene.add_joint("prismatic", 0, slider, Vec3(0.7, 0.0, 0.0), Vec3::UnitX());
+    test::Random random(3);
+    Loads loads;
+    loads.masses = test::random_masses(random, scene.mechanism);
+    std::vector<Joint>& joints = scene.mechanism.joints;
+    const auto crank_rate = [&] {
+        Simulation simulation(scene.mechanism, loads, {});
+        double rate = 0.0;
+        const SimulationOutcome outcome = simulation.run({0.0}, [&](double, const std::vector<double>& y) {
+            const Snapshot start = simulation.snapshot(0.0, y);
+            rate = angle_rate(joints[0], start.state, start.velocity);
+        });
+        CHECK_FALSE(outcome.failure);
+        return rate;
+    };
+    joints[3].geometry.displacement_dot_start = 0.5;
+    CHECK(std::abs(crank_rate()) < 1e-10);
+    joints[0].geometry.angle_dot_start = 5.0;
+    CHECK(crank_rate() == Approx(5.0));
+}
+
+TEST_CASE("A slow start rate beside a fast body is kept", "[core][dynamics]") {
+    test::SceneBuilder scene;
+    test::Random random(4);
+    const int rotor = scene.add_body("rotor", random.vector());
+    const int sled = scene.add_body("sled", random.vector());
+    scene.add_joint("spherical", 0, rotor, random.vector(), Vec3::UnitZ());
+    scene.add_joint("prismatic", 0, sled, random.vector(), random.direction());
+    scene.mechanism.bodies[static_cast<std::size_t>(rotor)].omega_local = Vec3(0.0, 1000.0, 0.0);
+    scene.mechanism.joints[1].geometry.displacement_dot_start = 0.05;
+    Loads loads;
+    loads.masses = test::random_masses(random, scene.mechanism);
+    Simulation simulation(scene.mechanism, loads, {});
+    const SimulationOutcome outcome = simulation.run({0.0}, [&](double, const std::vector<double>& y) {
+        const Snapshot start = simulation.snapshot(0.0, y);
+        CHECK(start.velocity.r_dot[static_cast<std::size_t>(sled)].norm() == Approx(0.05));
+        CHECK(start.velocity.omega_local[static_cast<std::size_t>(rotor)].norm() == Approx(1000.0));
+    });
+    CHECK_FALSE(outcome.failure);
+}
+
+TEST_CASE(
+    "Start rates that contradict each other become the nearest ones, and others are kept",
+    "[core][dynamics]") {
+    test::SceneBuilder scene;
+    test::Random random(5);
+    const int nut = scene.add_body("nut", random.vector());
+    const int arm = scene.add_body("arm", random.vector());
+    Joint& screw = scene.add_joint("screw", 0, nut, random.vector(), random.direction());
+    screw.geometry.alpha = 0.1;
+    screw.geometry.displacement_dot_start = 2.0;
+    screw.geometry.angle_dot_start = 25.0;
+    scene.add_joint("revolute", 0, arm, random.vector(), random.direction()).geometry.angle_dot_start = 7.0;
+    Loads loads;
+    loads.masses = test::random_masses(random, scene.mechanism);
+    Simulation simulation(scene.mechanism, loads, {});
+    const SimulationOutcome outcome = simulation.run({0.0}, [&](double, const std::vector<double>& y) {
+        const Snapshot start = simulation.snapshot(0.0, y);
+        const double turning = angle_rate(scene.mechanism.joints[0], start.state, start.velocity);
+        // between the two, 2 / 0.1 = 20 and 25 rad/s
+        CHECK(turning > 20.0);
+        CHECK(turning < 25.0);
+        CHECK(angle_rate(scene.mechanism.joints[1], start.state, start.velocity) == Approx(7.0));
+    });
+    CHECK_FALSE(outcome.failure);
+}
+
+TEST_CASE(
+    "Start rates of both freedoms of a cylindrical joint are those that dynamics begins with",
+    "[core][dynamics]") {
+    test::SceneBuilder scene;
+    test::Random random(3);
+    const int body = scene.add_body("slider", random.vector());
+    Joint& cylinder = scene.add_joint("cylindrical", 0, body, random.vector(), random.direction());
+    cylinder.geometry.angle_dot_start = 2.0;
+    cylinder.geometry.displacement_dot_start = -0.7;
+    Loads loads;
+    loads.masses = test::random_masses(random, scene.mechanism);
+    Simulation simulation(scene.mechanism, loads, {});
+    const Joint given = scene.mechanism.joints.front();
+    const SimulationOutcome outcome = simulation.run({0.0}, [&](double, const std::vector<double>& y) {
+        const Snapshot start = simulation.snapshot(0.0, y);
+        CHECK(angle_rate(given, start.state, start.velocity) == Approx(2.0));
+        const Measured d = evaluate_measure(
+            displacement_of(given), given.body_i, given.body_j, -1, start.state, start.velocity,
+            zero_motion(scene.mechanism));
+        CHECK(d.rate == Approx(-0.7));
+    });
+    CHECK_FALSE(outcome.failure);
 }

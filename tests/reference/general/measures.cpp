@@ -1,5 +1,7 @@
 #include "tests/reference/general/measures.hpp"
 
+#include "tests/reference/natural_spline.hpp"
+
 namespace jw::reference::general {
 
 namespace {
@@ -308,6 +310,10 @@ Taylor time_function(const TimeFunction& f, Real t) {
         out = out + Taylor{sine, h.omega * cosine, -h.omega * h.omega * sine};
     }
     for (const Ramp& r : f.ramps) { out = out + ramp(r, t); }
+    for (const Table& table : f.tables) {
+        const auto [value, rate, second] = natural_spline_at<Real>(table.times, table.values, t);
+        out = out + Taylor{value, rate, second};
+    }
     return out;
 }
 

@@ -201,10 +201,22 @@ std::vector<Mechanics::Loaded> Mechanics::loads() const {
     }
     for (const Torque& n : model_.torques) {
         const Real size = time_function(n.magnitude, t_).value;
-        out[static_cast<std::size_t>(n.body)].torque += turned_by(n.body, n.local, size * n.direction);
+        const Vec3 torque = turned_by(n.body, n.local, size * n.direction);
+        out[static_cast<std::size_t>(n.body)].torque += torque;
+        if (n.against >= 0) { out[static_cast<std::size_t>(n.against)].torque -= torque; }
     }
     for (const Spring& s : model_.springs) {
         const TaylorVector d = point_of(bodies_, s.j) - point_of(bodies_, s.i);
+        if (s.axis) {
+            // the gradient of s · d: ±s at the points, s x d by the turn of the axis
+            const TaylorVector axis = direction_of(bodies_, *s.axis);
+            const Taylor way = dot(axis, d);
+            const Real pull = s.stiffness * (way.value - s.free_length) + s.damping * way.rate;
+            push(out, s.i, pull * axis.value);
+            push(out, s.j, -pull * axis.value);
+            out[static_cast<std::size_t>(s.axis->body)].torque -= pull * axis.value.cross(d.value);
+            continue;
+        }
         const Real length = d.value.norm();
         const Vec3 along = length > 0.0L ? Vec3(d.value / length) : Vec3(Vec3::Zero());
         const Real pull = s.stiffness * (length - s.free_length) + s.damping * along.dot(d.rate);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -40,10 +41,16 @@ struct Ramp {
     Real start = 0.0L;
     Real end = 1.0L;
 };
+/// The natural cubic spline through values at times.
+struct Table {
+    std::vector<double> times;
+    std::vector<double> values;
+};
 struct TimeFunction {
     std::vector<Real> polynomial;  ///< c0 + c1 t + ...
     std::vector<Harmonic> harmonics;
     std::vector<Ramp> ramps;
+    std::vector<Table> tables;
 };
 
 // what is measured; an equation says that it equals a number or a function of time
@@ -175,6 +182,7 @@ struct Torque {
     Vec3 direction = Vec3::Zero();
     bool local = false;
     TimeFunction magnitude;
+    int against = -1;  ///< body that the opposite one acts on
 };
 struct Spring {
     Fixed i;
@@ -182,6 +190,7 @@ struct Spring {
     Real stiffness = 0.0L;
     Real free_length = 0.0L;
     Real damping = 0.0L;
+    std::optional<Fixed> axis = {};  ///< of body i: it acts on the displacement along it
 };
 /// Torque -k (θ - θ0) - c θ̇ on body j about s of body i; turns are counted on from the start.
 struct TurningSpring {

@@ -141,6 +141,12 @@ private:
             f.steps = {
                 {0.0, 0.5 * length * random_.number(), random_.number(-0.5, 0.2), random_.number(0.5, 1.5)}};
         }
+        if (kind % 8 >= 4) {
+            const auto value = [&] { return 0.2 * length * random_.number(); };
+            f.table = table_through(
+                {-0.5, 0.1, 0.7, 1.5}, {value(), value(), value(), value()},
+                TimeTable::Interpolation::smooth);
+        }
         return f;
     }
 
@@ -256,11 +262,20 @@ private:
         const double damping = recipe.damped ? random.number(0.1, 1.0) : 0.0;
         const Frame frame = recipe.damped ? Frame::local : Frame::global;
         switch (recipe.kind % (out_.recipe.afloat ? 2 : 4)) {
-            case 0:
-                out_.loads.springs.push_back(
-                    {i, j, random.vector(L), random.vector(L), random.number(1.0, 10.0) * lightest,
-                     random.number(0.2, 1.0) * L, damping * lightest});
+            case 0: {
+                Spring spring{
+                    i,
+                    j,
+                    random.vector(L),
+                    random.vector(L),
+                    random.number(1.0, 10.0) * lightest,
+                    random.number(0.2, 1.0) * L,
+                    damping * lightest};
+                // along an axis instead, also where no joint keeps to it
+                if (recipe.kind % 8 >= 4) { spring.s_i_local = random.direction(); }
+                out_.loads.springs.push_back(spring);
                 break;
+            }
             case 1: {
                 Driver place;
                 if (!along_joint(place, recipe.i, false)) { return; }
@@ -277,7 +292,8 @@ private:
                 break;
             default:
                 out_.loads.torques.push_back(
-                    {moving, 0.1 * force * L * random.direction(), frame, random_function(random)});
+                    {moving, 0.1 * force * L * random.direction(), frame, random_function(random),
+                     recipe.kind % 8 >= 4 ? i + j - moving : -1});
         }
     }
 

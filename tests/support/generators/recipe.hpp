@@ -43,12 +43,13 @@ struct DriverRecipe {
     int joint = 0;
     int i = 0;
     int j = 0;
-    int function = 0;  ///< polynomial, harmonic, step, all of them
+    int function = 0;  ///< polynomial, harmonic, step, all of them; from 4 on with a table
     int seed = 0;
 };
 
 struct LoadRecipe {
-    int kind = 0;  ///< spring, turning spring, force, torque
+    int kind = 0;  ///< spring, turning spring, force, torque; from 4 on the spring along an axis, the torque
+                   ///< against the other body
     int i = 0;
     int j = 0;
     bool damped = false;

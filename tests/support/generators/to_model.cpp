@@ -17,6 +17,7 @@ general::TimeFunction real(const TimeFunction& f) {
     out.polynomial.assign(f.polynomial.begin(), f.polynomial.end());
     for (const auto& h : f.harmonics) { out.harmonics.push_back({h.amplitude, h.omega, h.phase}); }
     for (const auto& s : f.steps) { out.ramps.push_back({s.from, s.to, s.start, s.end}); }
+    if (f.table) { out.tables.push_back({f.table->times, f.table->values}); }
     return out;
 }
 
@@ -241,7 +242,8 @@ void write_loads(const Loads& loads, general::Model& model) {
             {{f.body, real(f.point_local)}, real(f.direction), f.frame == Frame::local, real(f.magnitude)});
     }
     for (const AppliedTorque& n : loads.torques) {
-        model.torques.push_back({n.body, real(n.direction), n.frame == Frame::local, real(n.magnitude)});
+        model.torques.push_back(
+            {n.body, real(n.direction), n.frame == Frame::local, real(n.magnitude), n.against});
     }
     for (const Spring& s : loads.springs) {
         model.springs.push_back(
@@ -249,7 +251,8 @@ void write_loads(const Loads& loads, general::Model& model) {
              {s.body_j, real(s.P_j_local)},
              s.stiffness,
              s.free_length,
-             s.damping});
+             s.damping,
+             s.s_i_local ? std::optional(general::Fixed{s.body_i, real(*s.s_i_local)}) : std::nullopt});
     }
     for (const RotationalSpring& s : loads.rotational_springs) {
         model.turning_springs.push_back(
