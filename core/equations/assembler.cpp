@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/equations/inlined_visit.hpp"
 #include "core/equations/measure_jet.hpp"
 #include "core/jets/body_kinematics.hpp"
 
@@ -166,7 +167,7 @@ void Assembler<C>::assemble_phi_and_jacobian(const State& state, double t) {
     const auto body = [&](int b) -> const BodyKinematics<C>& { return bodies_[at(b)]; };
 
     for (const Constraint& c : system_->constraints()) {
-        std::visit(
+        visit_inlined(
             [&](const auto& primitive) {
                 const auto jet = equations<Content::jacobian>(
                     primitive, body(c.body_i), body(c.body_j), theta_of(c.theta, state, nullptr));
@@ -215,7 +216,7 @@ void Assembler<C>::assemble_gamma(const State& state, const Motion& motion, doub
     const auto body = [&](int b) -> const BodyKinematics<C>& { return bodies_[at(b)]; };
 
     for (const Constraint& c : system_->constraints()) {
-        std::visit(
+        visit_inlined(
             [&](const auto& primitive) {
                 const auto jet = equations<Content::motion>(
                     primitive, body(c.body_i), body(c.body_j), theta_of(c.theta, state, &motion));

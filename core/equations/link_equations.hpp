@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/equations/inlined_visit.hpp"
 #include "core/equations/system.hpp"
 #include "core/jets/drivers.hpp"
 
@@ -196,7 +197,7 @@ void tell_turns(
 template <Content K, class C, class F>
 void visit_rows(
     const LinkPrimitive& primitive, const BodyKinematics<C>& i, const BodyKinematics<C>& j, double t, F&& f) {
-    std::visit(
+    visit_inlined(
         [&](const auto& p) {
             using P = std::decay_t<decltype(p)>;
             if constexpr (std::is_same_v<P, ScrewTurned> || std::is_same_v<P, RackTurned>) {
