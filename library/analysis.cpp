@@ -1,8 +1,8 @@
 #include "jointwise/analysis.hpp"
 
+#include "jointwise/evaluator.hpp"
 #include "library/convert.hpp"
 #include "library/inside.hpp"
-#include "jointwise/evaluator.hpp"
 
 /// Each function makes an Evaluator for its pose, and uses it once.
 namespace jointwise {

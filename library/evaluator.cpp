@@ -4,11 +4,11 @@
 #include <optional>
 #include <variant>
 
-#include "library/convert.hpp"
-#include "library/inside.hpp"
 #include "core/kinematics/kinematics.hpp"
 #include "core/poses/large_rank.hpp"
 #include "core/poses/position.hpp"
+#include "library/convert.hpp"
+#include "library/inside.hpp"
 
 namespace jointwise {
 inline namespace JOINTWISE_ABI {

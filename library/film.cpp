@@ -2,9 +2,9 @@
 
 #include <mutex>
 
-#include "library/inside_lesson.hpp"
 #include "app/film/draw_pictures.hpp"
 #include "app/film/film_steps.hpp"
+#include "library/inside_lesson.hpp"
 
 namespace jointwise {
 inline namespace JOINTWISE_ABI {

@@ -1,8 +1,8 @@
 #include "jointwise/lesson.hpp"
 
+#include "lessons/read/reader.hpp"
 #include "library/inside.hpp"
 #include "library/inside_lesson.hpp"
-#include "lessons/read/reader.hpp"
 
 namespace jointwise {
 inline namespace JOINTWISE_ABI {

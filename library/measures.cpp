@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "library/convert.hpp"
-#include "library/inside.hpp"
 #include "core/kinematics/joint_angles.hpp"
 #include "core/quantity/evaluate.hpp"
 #include "core/quantity/names.hpp"
+#include "library/convert.hpp"
+#include "library/inside.hpp"
 
 namespace jointwise {
 inline namespace JOINTWISE_ABI {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "library/inside.hpp"
 #include "core/model/placement.hpp"
+#include "library/inside.hpp"
 
 namespace jointwise {
 inline namespace JOINTWISE_ABI {
@@ -88,7 +88,8 @@ jw::JointGeometry geometry_of(const jw::JointType& type, const jw::BodyPair& pai
         g.d_0 = (to - place.at).dot(unit(place.axis, "axis"));
     }
     if (type.has_curve()) {
-        expect(place.curve.size() >= 3, "curve has fewer than three points; expected those of a closed curve");
+        expect(
+            place.curve.size() >= 3, "curve has fewer than three points; expected those of a closed curve");
         g.curve = jw::Curve::through(place.curve);
     } else if (type.uses(jw::Role::rack_advance)) {
         g.alpha = nonzero(place.radius, "radius is absent or 0; expected that of the wheel on the rack [m]");

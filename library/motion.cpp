@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "library/convert.hpp"
-#include "library/inside.hpp"
 #include "core/integrate/simulation.hpp"
 #include "core/kinematics/motion_tracker.hpp"
+#include "library/convert.hpp"
+#include "library/inside.hpp"
 
 namespace jointwise {
 inline namespace JOINTWISE_ABI {

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "app/session/picture/still.hpp"
 #include "library/convert.hpp"
 #include "library/inside.hpp"
 #include "library/inside_lesson.hpp"
-#include "app/session/picture/still.hpp"
 #include "render/files/atomic_file.hpp"
-#include "render/surface/offscreen.hpp"
 #include "render/files/png.hpp"
 #include "render/passes/scene_renderer.hpp"
+#include "render/surface/offscreen.hpp"
 
 namespace jointwise {
 inline namespace JOINTWISE_ABI {

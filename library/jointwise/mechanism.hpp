@@ -55,9 +55,12 @@ struct Place {
     std::optional<Argument<3>> axis2 = {};  ///< of the second body, where it has another
     std::optional<Argument<3>> side = {};   ///< perpendicular to the axis: where angles begin; absent: any
     std::optional<double> pitch = {};       ///< a screw needs it: advance in one turn [m], left-hand below 0
-    std::optional<double> ratio = {};   ///< a gear or a belt needs it: turns of the second wheel in one of the first
-    std::vector<Vector3> curve = {};  ///< a curve needs it: points in the frame of the first body, from `at` on [m]
-    std::optional<double> radius = {};  ///< a rack needs it [m]; below 0: moves along when it turns left-handed
+    std::optional<double> ratio =
+        {};  ///< a gear or a belt needs it: turns of the second wheel in one of the first
+    std::vector<Vector3> curve =
+        {};  ///< a curve needs it: points in the frame of the first body, from `at` on [m]
+    std::optional<double> radius =
+        {};  ///< a rack needs it [m]; below 0: moves along when it turns left-handed
 };
 
 /// c0 + c1 t + c2 t² + ...: what a driver prescribes [rad or m].

@@ -10,8 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kFolders{".ci",  "api",     "app",     "cmake",  "core",
-                              "docs", "include", "lessons", "render", "tests"};
+constexpr std::array kFolders{".ci", "app", "cmake", "core", "docs", "lessons", "library", "render", "tests"};
 constexpr std::array kPictures{".png", ".jpg", ".svg"};
 
 void append(std::vector<SourceFile>& files, const fs::directory_entry& entry) {
