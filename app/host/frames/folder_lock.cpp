@@ -29,6 +29,14 @@ bool leads_to(const std::filesystem::path& path, int folder) {
            named.st_ino == open.st_ino;
 }
 
+/// True if a folder could not be created because one was there, or was there until another run removed it.
+bool was_there(const std::filesystem::path& folder, const std::error_code& error) {
+    std::error_code ignored;
+    const auto now = std::filesystem::symlink_status(folder, ignored).type();
+    return error == std::errc::file_exists &&
+           (now == std::filesystem::file_type::not_found || now == std::filesystem::file_type::directory);
+}
+
 }  // namespace
 
 bool FolderLock::wait(Kind kind) const {
@@ -47,6 +55,7 @@ bool FolderLock::take(const std::filesystem::path& folder, Kind kind, const std:
         let_go();
         std::error_code error;
         const bool is_new = std::filesystem::create_directory(folder, error);
+        if (was_there(folder, error)) { continue; }
         if (error) { refuse(folder, "cannot be made a folder: " + error.message()); }
         folder_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         // another run may have removed the folder in between

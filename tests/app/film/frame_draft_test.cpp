@@ -150,6 +150,31 @@ TEST_CASE("Of many runs that begin a folder at once one draws, and others wait o
     CHECK_FALSE(std::filesystem::exists(folder.path("draft")));
 }
 
+TEST_CASE("A folder that others create and remove meanwhile is locked, and by one at a time", "[film]") {
+    const Folder folder;
+    const std::filesystem::path path = folder.path("draft");
+    std::atomic<int> inside = 0;
+    std::atomic<int> disturbed = 0;
+    // between the attempt to create the folder and the look at why it failed, others remove it in about one
+    // of 2,000 rounds
+    const auto lock_often = [&] {
+        for (int round = 0; round < 500; ++round) {
+            try {
+                FolderLock lock;
+                lock.take(path, FolderLock::Kind::alone, "is held");
+                disturbed += inside++ > 0 ? 1 : 0;
+                --inside;
+                std::filesystem::remove(path);
+            } catch (const std::runtime_error&) { ++disturbed; }
+        }
+    };
+    {
+        std::vector<std::jthread> runs;
+        for (int k = 0; k < 8; ++k) { runs.emplace_back(lock_often); }
+    }
+    CHECK(disturbed == 0);
+}
+
 TEST_CASE("A run goes on while the system still takes apart a killed one", "[film]") {
     const Folder folder;
     const std::string path = folder.path("draft");
