@@ -23,7 +23,9 @@ constexpr double kFollows = 1e-6;
 class GivenVelocities {
 public:
     GivenVelocities(const Mechanism& given, const Centroidal& scene, const std::vector<double>& y)
-        : length_(extent(given)), order_of_body_(given.bodies.size(), -1) {
+        : length_(extent(given)),
+          fastest_(fastest_given_velocity(given)),
+          order_of_body_(given.bodies.size(), -1) {
         const std::vector<int> moving = moving_bodies_of(given);
         rows_.resize(0, static_cast<Eigen::Index>(6 * moving.size()));
         for (std::size_t m = 0; m < moving.size(); ++m) {
@@ -82,7 +84,6 @@ private:
             const Eigen::Index row = next(3);
             rows_.block<3, 3>(row, first + 3).setIdentity();
             missing_.segment<3>(row) = body.omega_local - omega_local;
-            fastest_ = std::max(fastest_, body.omega_local.norm());
         }
         if (!body.r_dot.isZero(0.0)) {
             // in the frame as given, the centre moves by ω × A c in addition
@@ -91,7 +92,6 @@ private:
             rows_.block<3, 3>(row, first) = Mat3::Identity() / length_;
             rows_.block<3, 3>(row, first + 3) = by_turning / length_;
             missing_.segment<3>(row) = (body.r_dot - vec3(numbers + 7) - by_turning * omega_local) / length_;
-            fastest_ = std::max(fastest_, body.r_dot.norm() / length_);
         }
     }
 
@@ -113,18 +113,32 @@ private:
         put(joint.body_j, jet.by_j);
         missing_(row) = (rate - jet.rate) / unit;
         rates_.push_back(std::abs(rate) / unit);
-        fastest_ = std::max(fastest_, rates_.back());
     }
 
     double length_;
+    double fastest_;                           ///< largest given velocity
     std::vector<Eigen::Index> order_of_body_;  ///< among those that move; -1: it does not
     MatrixX rows_;
     VectorX missing_;
     std::vector<double> rates_;  ///< sizes of the given rates of joints, which are the last conditions
-    double fastest_ = 0.0;       ///< largest given velocity
 };
 
 }  // namespace
+
+double fastest_given_velocity(const Mechanism& mechanism) {
+    const double length = extent(mechanism);
+    double fastest = 0.0;
+    for (const Body& body : mechanism.bodies) {
+        fastest = std::max({fastest, body.r_dot.norm() / length, body.omega_local.norm()});
+    }
+    for (const Joint& joint : mechanism.joints) {
+        const JointGeometry& g = joint.geometry;
+        fastest = std::max(
+            {fastest, std::abs(g.angle_dot_start.value_or(0.0)),
+             std::abs(g.displacement_dot_start.value_or(0.0)) / length});
+    }
+    return fastest;
+}
 
 void keep_given_velocities(
     const Mechanism& given, const Centroidal& scene, DrivableEquations& equations, std::vector<double>& y) {

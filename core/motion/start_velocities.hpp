@@ -8,6 +8,9 @@
 
 namespace jw {
 
+/// Largest velocity of a body or rate of a joint that is given with a mechanism [extents per second, rad/s].
+double fastest_given_velocity(const Mechanism& mechanism);
+
 /// True if a rate is the given one to four typed digits. Where 0 is given, a smaller part of the fastest
 /// given velocity is rounding.
 inline bool keeps_rate(double off, double given, double fastest) {

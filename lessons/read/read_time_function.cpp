@@ -130,15 +130,16 @@ bool covers(Fields& fields, const TimeTable& table, double from, double to) {
     // what rounding of a typed time leaves open
     const double rounding = 1e-9 * std::max({1.0, std::abs(from), std::abs(to)});
     if (first <= from + rounding && last >= to - rounding) { return true; }
-    const auto [begin, first_text] = std::pair(
-        short_number(from, writing::digits_apart(from, first, 6)),
-        short_number(first, writing::digits_apart(from, first, 6)));
-    const int digits = writing::digits_apart(to, last, 6);
+    const auto both = [](double asked, double given) {
+        const int digits = writing::digits_apart(asked, given, 6);
+        return std::pair(short_number(asked, digits) + " s", short_number(given, digits) + " s");
+    };
+    const auto [begin, first_text] = both(from, first);
+    const auto [end, last_text] = both(to, last);
     fields.problems().add(
         Code::table_times, fields.span(),
-        "the table of " + fields.what() + " has values from " + first_text + " s to " +
-            short_number(last, digits) + " s; expected values from " + begin + " s to " +
-            short_number(to, digits) + " s, the times of the motion");
+        "the table of " + fields.what() + " has values from " + first_text + " to " + last_text +
+            "; expected values from " + begin + " to " + end + ", the times of the motion");
     return false;
 }
 

@@ -133,22 +133,6 @@ std::string pose_note(const Mechanism& given, const Snapshot& start) {
     return more > 0 ? tr("{0} (and {1} more, by less)", text, more) : text;
 }
 
-/// Largest start velocity of a body or joint that the author gave [extents per second, rad/s].
-double fastest_given(const Mechanism& given) {
-    const double length = extent(given);
-    double fastest = 0.0;
-    for (const Body& body : given.bodies) {
-        fastest = std::max({fastest, body.r_dot.norm() / length, body.omega_local.norm()});
-    }
-    for (const Joint& joint : given.joints) {
-        const JointGeometry& g = joint.geometry;
-        fastest = std::max(
-            {fastest, std::abs(g.angle_dot_start.value_or(0.0)),
-             std::abs(g.displacement_dot_start.value_or(0.0)) / length});
-    }
-    return fastest;
-}
-
 /// A start velocity that is not the given one.
 struct ChangedSpeed {
     double by = 0.0;  ///< [extents per second, rad/s]
@@ -159,7 +143,7 @@ struct ChangedSpeed {
 ChangedSpeed most_changed_body(const Mechanism& given, const Snapshot& start) {
     constexpr double typed = 1e-4;  // what four digits leave open is not reported
     const double length = extent(given);
-    double most = typed * fastest_given(given);
+    double most = typed * fastest_given_velocity(given);
     std::string text;
     const auto compare = [&](const Body& body, const Vec3& wanted, const Vec3& found, double size,
                              const std::string& unit) {
@@ -182,7 +166,7 @@ ChangedSpeed most_changed_body(const Mechanism& given, const Snapshot& start) {
 /// The start rate of a joint that was changed most.
 ChangedSpeed most_changed_rate(const Mechanism& given, const Snapshot& start) {
     const double length = extent(given);
-    const double fastest = fastest_given(given);
+    const double fastest = fastest_given_velocity(given);
     ChangedSpeed most;
     const auto compare = [&](const Joint& joint, const Measure& measure, double wanted, double size,
                              const std::string& unit) {

@@ -27,6 +27,22 @@ SimulationOutcome outcome_of(const Mechanism& mechanism, int& received) {
     return simulation.run({0.0, 0.05}, [&](double, const std::vector<double>&) { ++received; });
 }
 
+Loads masses_of(test::Random& random, const Mechanism& mechanism) {
+    Loads loads;
+    loads.masses = test::random_masses(random, mechanism);
+    return loads;
+}
+
+/// What a simulation begins with.
+Snapshot start_of(const Mechanism& mechanism, const Loads& loads) {
+    Simulation simulation(mechanism, loads, {});
+    Snapshot start;
+    const SimulationOutcome outcome = simulation.run(
+        {0.0}, [&](double, const std::vector<double>& y) { start = simulation.snapshot(0.0, y); });
+    REQUIRE_FALSE(outcome.failure);
+    return start;
+}
+
 }  // namespace
 
 TEST_CASE("A loop with a tilted axis is refused at the start, and the joint is named", "[core][dynamics]") {
@@ -185,14 +201,7 @@ TEST_CASE(
     };
     const auto started = [&] {
         test::Random random(5);
-        Loads loads;
-        loads.masses.emplace_back();
-        for (int body = 1; body < 4; ++body) { loads.masses.emplace_back(test::random_mass(random)); }
-        Simulation simulation(mechanism, loads, {});
-        Snapshot start;
-        const SimulationOutcome outcome = simulation.run(
-            {0.0}, [&](double, const std::vector<double>& y) { start = simulation.snapshot(0.0, y); });
-        REQUIRE_FALSE(outcome.failure);
+        const Snapshot start = start_of(mechanism, masses_of(random, mechanism));
         CHECK(start.velocity_violation < 1e-13);
         return start.velocity;
     };
@@ -220,15 +229,9 @@ TEST_CASE(
         const auto k = static_cast<std::size_t>(seed % 4);
         const double rate = random.number(-5.0, 5.0);
         mechanism.joints[k].geometry.angle_dot_start = rate;
-        Loads loads;
-        loads.masses.emplace_back();
-        for (int body = 1; body < 4; ++body) { loads.masses.emplace_back(test::random_mass(random)); }
+        const Loads loads = masses_of(random, mechanism);
         const auto started = [&] {
-            Simulation simulation(mechanism, loads, {});
-            Snapshot start;
-            const SimulationOutcome outcome = simulation.run(
-                {0.0}, [&](double, const std::vector<double>& y) { start = simulation.snapshot(0.0, y); });
-            REQUIRE_FALSE(outcome.failure);
+            const Snapshot start = start_of(mechanism, loads);
             CHECK(start.velocity_violation < 1e-12);
             return start;
         };
@@ -272,18 +275,11 @@ TEST_CASE(
     scene.add_joint("revolute", rod, slider, Vec3(0.7, 0.0, 0.0), Vec3::UnitZ());
     scene.add_joint("prismatic", 0, slider, Vec3(0.7, 0.0, 0.0), Vec3::UnitX());
     test::Random random(3);
-    Loads loads;
-    loads.masses = test::random_masses(random, scene.mechanism);
+    const Loads loads = masses_of(random, scene.mechanism);
     std::vector<Joint>& joints = scene.mechanism.joints;
     const auto crank_rate = [&] {
-        Simulation simulation(scene.mechanism, loads, {});
-        double rate = 0.0;
-        const SimulationOutcome outcome = simulation.run({0.0}, [&](double, const std::vector<double>& y) {
-            const Snapshot start = simulation.snapshot(0.0, y);
-            rate = angle_rate(joints[0], start.state, start.velocity);
-        });
-        CHECK_FALSE(outcome.failure);
-        return rate;
+        const Snapshot start = start_of(scene.mechanism, loads);
+        return angle_rate(joints[0], start.state, start.velocity);
     };
     joints[3].geometry.displacement_dot_start = 0.5;
     CHECK(std::abs(crank_rate()) < 1e-10);
@@ -300,15 +296,9 @@ TEST_CASE("A slow start rate beside a fast body is kept", "[core][dynamics]") {
     scene.add_joint("prismatic", 0, sled, random.vector(), random.direction());
     scene.mechanism.bodies[static_cast<std::size_t>(rotor)].omega_local = Vec3(0.0, 1000.0, 0.0);
     scene.mechanism.joints[1].geometry.displacement_dot_start = 0.05;
-    Loads loads;
-    loads.masses = test::random_masses(random, scene.mechanism);
-    Simulation simulation(scene.mechanism, loads, {});
-    const SimulationOutcome outcome = simulation.run({0.0}, [&](double, const std::vector<double>& y) {
-        const Snapshot start = simulation.snapshot(0.0, y);
-        CHECK(start.velocity.r_dot[static_cast<std::size_t>(sled)].norm() == Approx(0.05));
-        CHECK(start.velocity.omega_local[static_cast<std::size_t>(rotor)].norm() == Approx(1000.0));
-    });
-    CHECK_FALSE(outcome.failure);
+    const Motion start = start_of(scene.mechanism, masses_of(random, scene.mechanism)).velocity;
+    CHECK(start.r_dot[static_cast<std::size_t>(sled)].norm() == Approx(0.05));
+    CHECK(start.omega_local[static_cast<std::size_t>(rotor)].norm() == Approx(1000.0));
 }
 
 TEST_CASE(
@@ -323,18 +313,12 @@ TEST_CASE(
     screw.geometry.displacement_dot_start = 2.0;
     screw.geometry.angle_dot_start = 25.0;
     scene.add_joint("revolute", 0, arm, random.vector(), random.direction()).geometry.angle_dot_start = 7.0;
-    Loads loads;
-    loads.masses = test::random_masses(random, scene.mechanism);
-    Simulation simulation(scene.mechanism, loads, {});
-    const SimulationOutcome outcome = simulation.run({0.0}, [&](double, const std::vector<double>& y) {
-        const Snapshot start = simulation.snapshot(0.0, y);
-        const double turning = angle_rate(scene.mechanism.joints[0], start.state, start.velocity);
-        // between the two, 2 / 0.1 = 20 and 25 rad/s
-        CHECK(turning > 20.0);
-        CHECK(turning < 25.0);
-        CHECK(angle_rate(scene.mechanism.joints[1], start.state, start.velocity) == Approx(7.0));
-    });
-    CHECK_FALSE(outcome.failure);
+    const Snapshot start = start_of(scene.mechanism, masses_of(random, scene.mechanism));
+    const double turning = angle_rate(scene.mechanism.joints[0], start.state, start.velocity);
+    // between the two, 2 / 0.1 = 20 and 25 rad/s
+    CHECK(turning > 20.0);
+    CHECK(turning < 25.0);
+    CHECK(angle_rate(scene.mechanism.joints[1], start.state, start.velocity) == Approx(7.0));
 }
 
 TEST_CASE(
@@ -346,17 +330,11 @@ TEST_CASE(
     Joint& cylinder = scene.add_joint("cylindrical", 0, body, random.vector(), random.direction());
     cylinder.geometry.angle_dot_start = 2.0;
     cylinder.geometry.displacement_dot_start = -0.7;
-    Loads loads;
-    loads.masses = test::random_masses(random, scene.mechanism);
-    Simulation simulation(scene.mechanism, loads, {});
+    const Snapshot start = start_of(scene.mechanism, masses_of(random, scene.mechanism));
     const Joint given = scene.mechanism.joints.front();
-    const SimulationOutcome outcome = simulation.run({0.0}, [&](double, const std::vector<double>& y) {
-        const Snapshot start = simulation.snapshot(0.0, y);
-        CHECK(angle_rate(given, start.state, start.velocity) == Approx(2.0));
-        const Measured d = evaluate_measure(
-            displacement_of(given), given.body_i, given.body_j, -1, start.state, start.velocity,
-            zero_motion(scene.mechanism));
-        CHECK(d.rate == Approx(-0.7));
-    });
-    CHECK_FALSE(outcome.failure);
+    CHECK(angle_rate(given, start.state, start.velocity) == Approx(2.0));
+    const Measured d = evaluate_measure(
+        displacement_of(given), given.body_i, given.body_j, -1, start.state, start.velocity,
+        zero_motion(scene.mechanism));
+    CHECK(d.rate == Approx(-0.7));
 }
