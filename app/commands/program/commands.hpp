@@ -27,6 +27,7 @@ void add_step(CLI::App& app, const Streams& streams, Run& run);
 void add_inspect(CLI::App& app, const Streams& streams, Run& run);
 void add_bench(CLI::App& app, const Streams& streams, Run& run);
 void add_simulate(CLI::App& app, const Streams& streams, Run& run);
+void add_rest(CLI::App& app, const Streams& streams, Run& run);
 void add_solve(CLI::App& app, const Streams& streams, Run& run);
 void add_try(CLI::App& app, const Streams& streams, Run& run);
 void add_newton(CLI::App& app, const Streams& streams, Run& run);

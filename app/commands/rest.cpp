@@ -1,0 +1,63 @@
+#include <CLI/CLI.hpp>
+
+#include "app/commands/options/experiment_option.hpp"
+#include "app/commands/options/format_option.hpp"
+#include "app/commands/program/commands.hpp"
+#include "app/session/rest/describe_rest.hpp"
+
+namespace jw {
+
+namespace {
+
+struct RestOptions {
+    std::string file;
+    std::vector<std::string> experiments;
+    std::vector<std::string> held;
+    bool nearest = false;
+    std::string format;
+};
+
+Exit rest_command(const RestOptions& options, const Streams& streams) {
+    const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
+    RestView view;
+    try {
+        view =
+            find_rest(changed.lesson, {options.nearest ? Seek::nearest : Seek::where_it_rests, options.held});
+    } catch (const std::invalid_argument& error) {
+        throw CommandError(Exit::bad_input, options.file + ": error: " + error.what());
+    }
+    if (options.format == "json") {
+        Json json = json_of(view, changed.lesson);
+        add_done(json, changed.done);
+        streams.out << json_document(json);
+    } else if (view.failure.empty()) {
+        streams.out << done_text(changed.done) << describe(view);
+    }
+    if (view.failure.empty()) { return Exit::done; }
+    streams.err << "jointwise: error: " << view.failure << '\n';
+    return Exit::numerics;
+}
+
+}  // namespace
+
+void add_rest(CLI::App& app, const Streams& streams, Run& run) {
+    CLI::App* command = app.add_subcommand(
+        "rest", "find the equilibrium under masses and forces, what holds it, and small motions about it");
+    auto options = std::make_shared<RestOptions>();
+    command->add_option("FILE", options->file, "lesson file with [dynamics]")->required()->type_name("");
+    add_try_option(*command, options->experiments);
+    command
+        ->add_option(
+            "--hold", options->held,
+            "joint whose angle or displacement stays as at the start; the torque or force that holds it is "
+            "written as its effort")
+        ->type_name("JOINT");
+    command->add_flag(
+        "--nearest", options->nearest, "find the equilibrium nearest to the start, even an unstable one");
+    add_format_option(*command, options->format, {"text", "json"});
+    command->footer("Example: jointwise rest lessons/catalogue/dynamics/simple-pendulum.toml");
+    command->callback(
+        [options, &streams, &run] { run = [options, &streams] { return rest_command(*options, streams); }; });
+}
+
+}  // namespace jw

@@ -1,0 +1,202 @@
+#include "app/session/rest/describe_rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/session/wording/messages.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "app/session/wording/quantity_text.hpp"
+#include "app/session/wording/text_table.hpp"
+
+namespace jw {
+
+namespace {
+
+constexpr std::size_t kMostJointsOfMode = 4;
+// a joint that moves less is not named, and a phase or a decay is not told: four digits are shown
+constexpr double kTooLittle = 1e-4;
+// of the largest number of its kind: rounding, times the condition of the constraints
+constexpr double kRounding = 1e-12;
+
+double without_rounding(double value, double size) {
+    return std::abs(value) <= kRounding * size ? 0.0 : value;
+}
+Vec3 without_rounding(const Vec3& v, double size) {
+    return v.unaryExpr([&](double value) { return without_rounding(value, size); });
+}
+
+std::string value_cell(const Quantity& quantity, const QuantityValue& value) {
+    const Absence absence = value.absences[0];
+    return absence == Absence::none
+               ? number_text(without_rounding(value.value(), 1.0) * factor_of_unit(quantity), 6)
+               : absence_text(absence);
+}
+
+std::string quantities_text(const RestView& view) {
+    TextRows table{{tr("quantity"), tr("value"), ""}};
+    for (const NamedQuantity& named : view.quantities) {
+        table.push_back(
+            {name_of(named.quantity, 0, *view.mechanism),
+             value_cell(named.quantity, evaluate(named.quantity, view.instant, 0)),
+             unit_text(named.quantity, 0)});
+    }
+    return text_table(table, columns_of_numbers(3, 2));
+}
+
+const std::string& owner_of(const Reaction& reaction, const Mechanism& mechanism) {
+    return reaction.joint >= 0 ? mechanism.joints[at(reaction.joint)].name
+                               : mechanism.drivers[at(reaction.driver)].name;
+}
+
+std::string reactions_text(const RestView& view) {
+    TextRows table{{tr("joint or driver"), tr("force [N]"), tr("torque [N m]"), ""}};
+    const double length = extent(*view.mechanism);
+    double largest = 0.0;
+    for (const Reaction& reaction : view.instant.reactions().reactions) {
+        const Wrench& wrench = reaction.wrench;
+        largest = std::max({largest, wrench.force.norm(), wrench.torque.norm() / length});
+    }
+    for (const Reaction& reaction : view.instant.reactions().reactions) {
+        table.push_back(
+            {owner_of(reaction, *view.mechanism),
+             vector_text(without_rounding(reaction.wrench.force, largest), 6),
+             vector_text(without_rounding(reaction.wrench.torque, largest * length), 6),
+             reaction.unique() ? "" : tr("not unique")});
+    }
+    if (table.size() == 1) { return {}; }
+    return std::string("\n  ") + tr("What holds it, on the second body at the joint's point, global axes:") +
+           '\n' + text_table(table, columns_of_numbers(4, 2));
+}
+
+/// "hinge.angle 1 rad, knee.angle -1.414 rad"
+std::string joints_text(const std::vector<ModeOfJoint>& joints, const Mechanism& mechanism) {
+    std::string text;
+    for (std::size_t k = 0; k < std::min(joints.size(), kMostJointsOfMode); ++k) {
+        const auto& [named, amplitude] = joints[k];
+        if (std::abs(amplitude) < kTooLittle) { break; }
+        const bool in_phase = std::abs(amplitude.imag()) < kTooLittle * std::abs(amplitude);
+        const double size = in_phase ? amplitude.real() : std::abs(amplitude);
+        text += (text.empty() ? "" : ", ") + name_of(named.quantity, 0, mechanism) + ' ' + number_text(size) +
+                ' ' + std::string(symbol_of(dimension_of(named.quantity).unit));
+        if (!in_phase) { text += ' ' + tr("at {0}°", number_text(std::arg(amplitude) * kDegreesPerRadian)); }
+    }
+    return text;
+}
+
+/// How a small motion goes on in time.
+std::string rate_text(std::complex<double> s) {
+    if (s == 0.0) { return tr("neither held nor pushed"); }
+    const auto per_e = number_text(1.0 / std::abs(s.real()));
+    if (s.imag() == 0.0) {
+        return s.real() > 0.0 ? tr("grows: a factor of e in {0} s", per_e)
+                              : tr("decays: a factor of e in {0} s", per_e);
+    }
+    const std::string frequency = tr("{0} Hz", number_text(s.imag() * 0.5 * std::numbers::inv_pi, 6));
+    if (std::abs(s.real()) < kTooLittle * s.imag()) { return frequency; }
+    return frequency + ", " +
+           (s.real() > 0.0 ? tr("grows: a factor of e in {0} s", per_e)
+                           : tr("decays: a factor of e in {0} s", per_e));
+}
+
+std::string modes_text(const RestView& view) {
+    if (view.modes.empty()) { return {}; }
+    TextRows table{{tr("mode"), tr("in time"), tr("joints that move most")}};
+    for (std::size_t k = 0; k < view.modes.size(); ++k) {
+        table.push_back(
+            {std::to_string(k + 1), rate_text(view.outcome.motions.modes[k].s),
+             joints_text(view.modes[k], *view.mechanism)});
+    }
+    std::vector<TextColumn> columns = columns_of_numbers(3, 2);
+    columns[1].right = false;
+    return std::string("\n  ") + tr("Small motions about it:") + '\n' + text_table(table, columns);
+}
+
+Json complex_json(std::complex<double> value) { return {number(value.real()), number(value.imag())}; }
+
+Json modes_json(const RestView& view) {
+    Json modes = Json::array();
+    for (std::size_t k = 0; k < view.modes.size(); ++k) {
+        const Mode& mode = view.outcome.motions.modes[k];
+        Json joints = Json::array();
+        for (const auto& [named, amplitude] : view.modes[k]) {
+            joints.push_back(
+                {{"name", name_of(named.quantity, 0, *view.mechanism)},
+                 {"amplitude", complex_json(amplitude)}});
+        }
+        modes.push_back(
+            {{"s", complex_json(mode.s)},
+             {"frequency_hz", number(mode.s.imag() * 0.5 * std::numbers::inv_pi)},
+             {"joints", joints}});
+    }
+    return modes;
+}
+
+Json reactions_json(const RestView& view) {
+    Json reactions = Json::array();
+    for (const Reaction& reaction : view.instant.reactions().reactions) {
+        reactions.push_back(
+            {{"name", owner_of(reaction, *view.mechanism)},
+             {"point", json_of(reaction.point)},
+             {"force", json_of(reaction.wrench.force)},
+             {"torque", json_of(reaction.wrench.torque)},
+             {"unique", reaction.unique()}});
+    }
+    return reactions;
+}
+
+Json quantities_json(const RestView& view) {
+    Json quantities = Json::array();
+    for (const NamedQuantity& named : view.quantities) {
+        quantities.push_back(
+            {{"name", name_of(named.quantity, 0, *view.mechanism)},
+             {"value", number(evaluate(named.quantity, view.instant, 0).value())},
+             {"unit", std::string(symbol_of(dimension_of(named.quantity).unit))}});
+    }
+    return quantities;
+}
+
+const char* word_of(Stability stability) {
+    switch (stability) {
+        case Stability::stable: return "stable";
+        case Stability::unstable: return "unstable";
+        case Stability::cannot_tell: break;
+    }
+    return "cannot tell";
+}
+
+}  // namespace
+
+std::string describe(const RestView& view) {
+    const std::string head =
+        tr("Equilibrium, {0} steps from the start pose. Drivers and loads stand still as at t = 0.",
+           view.outcome.steps);
+    std::string verdict = stability_text(view.outcome);
+    if (view.outcome.motions.stability == Stability::unstable && view.outcome.steps == 0) {
+        verdict +=
+            std::string(" ") + tr("It starts exactly there: start beside it to see where it comes to rest.");
+    }
+    return "  " + head + "\n  " + verdict + "\n\n" + quantities_text(view) + reactions_text(view) +
+           modes_text(view);
+}
+
+Json json_of(const RestView& view, const Lesson& lesson) {
+    const bool is_found = view.failure.empty();
+    const RestOutcome& outcome = view.outcome;
+    return {
+        {"format", "jointwise rest"},
+        {"version", kJsonVersion},
+        {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
+        {"steps", outcome.steps},
+        {"freedoms", outcome.freedoms},
+        {"residual", number(outcome.residual)},
+        {"stability", is_found ? Json(word_of(outcome.motions.stability)) : Json()},
+        {"conservative", is_found ? Json(outcome.motions.is_conservative) : Json()},
+        {"damped", is_found ? Json(outcome.motions.is_damped) : Json()},
+        {"bodies", json_of(*view.mechanism, view.instant.state, view.instant.velocity)},
+        {"quantities", quantities_json(view)},
+        {"reactions", is_found ? reactions_json(view) : Json()},
+        {"modes", modes_json(view)},
+        {"failure", is_found ? Json() : Json(view.failure)}};
+}
+
+}  // namespace jw

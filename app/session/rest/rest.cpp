@@ -1,0 +1,213 @@
+#include "app/session/rest/rest.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/session/view/inspection.hpp"
+#include "app/session/wording/messages.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "core/jets/euler_parameters.hpp"
+
+namespace jw {
+
+namespace {
+
+/// A rod keeps its length.
+bool is_coordinate(const MeasureQuantity& q) {
+    return !std::holds_alternative<SquaredDistanceMeasure>(q.measure);
+}
+
+/// "hinge" or "hinge.angle" as a joint's measure.
+MeasureQuantity held_measure(const std::string& name, const Mechanism& mechanism) {
+    std::vector<std::string> known;
+    std::vector<MeasureQuantity> fitting;
+    for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+        for (const MeasureQuantity& q : measures_of(mechanism, static_cast<int>(j))) {
+            if (!is_coordinate(q)) { continue; }
+            known.push_back(name_of(q, 0, mechanism));
+            if (name == known.back() || name == mechanism.joints[j].name) { fitting.push_back(q); }
+        }
+    }
+    if (fitting.size() == 1) { return fitting.front(); }
+    const std::string expected =
+        known.empty() ? "no joint has an angle or a displacement" : "expected one of " + alternatives(known);
+    throw std::invalid_argument(
+        "--hold '" + name + "': " +
+        (fitting.empty() ? "there is no such angle or displacement; "
+                         : "this joint has an angle and a displacement; ") +
+        expected);
+}
+
+/// Adds drivers that keep what is held at its value in a state.
+Mechanism with_held(Mechanism mechanism, const std::vector<std::string>& held, const State& state) {
+    const Mechanism before = mechanism;
+    const Motion none = zero_motion(before);
+    const std::vector<int> thetas = before.theta_indices();
+    for (const std::string& name : held) {
+        const MeasureQuantity q = held_measure(name, before);
+        const int theta = thetas[at(q.joint)];
+        const double value = evaluate_measure(q.measure, q.body_i, q.body_j, theta, state, none, none).value;
+        mechanism.drivers.push_back(
+            {"hold " + name_of(q, 0, before), q.joint, q.body_i, q.body_j, q.measure,
+             TimeFunction{.polynomial = {value}}});
+    }
+    return mechanism;
+}
+
+/// Angles, displacements and distances of joints, efforts of drivers, and the potential energy.
+std::vector<NamedQuantity> told_quantities(const Mechanism& mechanism) {
+    std::vector<NamedQuantity> list;
+    for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
+        for (const MeasureQuantity& q : measures_of(mechanism, j)) {
+            if (is_coordinate(q)) { list.push_back({q, 0}); }
+        }
+    }
+    for (int d = 0; d < static_cast<int>(mechanism.drivers.size()); ++d) {
+        const Measure& measure = mechanism.drivers[at(d)].measure;
+        const bool turns =
+            std::holds_alternative<AngleMeasure>(measure) || std::holds_alternative<ThetaMeasure>(measure);
+        list.push_back({EffortQuantity{d, turns}, 0});
+    }
+    list.push_back({EnergyQuantity{EnergyPart::potential}, 0});
+    return list;
+}
+
+/// What is told of a small motion: angles and displacements of joints, and the rotation of a body on a joint
+/// that has neither, as on a ball.
+std::vector<NamedQuantity> moving_quantities(const Mechanism& mechanism) {
+    std::vector<NamedQuantity> list;
+    for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
+        const Joint& joint = mechanism.joints[at(j)];
+        const std::vector<MeasureQuantity> measures = measures_of(mechanism, j);
+        for (const MeasureQuantity& q : measures) {
+            if (is_coordinate(q)) { list.push_back({q, 1}); }
+        }
+        if (!measures.empty() || mechanism.bodies[at(joint.body_j)].fixed) { continue; }
+        for (int axis = 0; axis < 3; ++axis) {
+            list.push_back({AngularVelocityQuantity{joint.body_j, false, axis}, 0});
+        }
+    }
+    return list;
+}
+
+/// Amplitudes of all joints in a mode, the largest first and 1: displacements are compared in extents.
+std::vector<ModeOfJoint> joints_of(
+    const Mode& mode, const RestView& view, const Centroidal& scene, const State& centroidal_state) {
+    Instant now = view.instant;
+    Instant late = view.instant;
+    now.velocity = scene.as_given(centroidal_state, mode.shape);
+    late.velocity = scene.as_given(centroidal_state, mode.shape_late);
+    const double length = extent(*view.mechanism);
+    const auto size = [&](const ModeOfJoint& joint) {
+        const auto* q = std::get_if<MeasureQuantity>(&joint.quantity.quantity);
+        return std::abs(joint.amplitude) / (q != nullptr ? unit_of(q->measure, length) : 1.0);
+    };
+    std::vector<ModeOfJoint> out;
+    for (const NamedQuantity& named : moving_quantities(*view.mechanism)) {
+        const auto rate = [&](const Instant& instant) {
+            return evaluate(named.quantity, instant, named.derivative).derivatives[at(named.derivative)];
+        };
+        out.push_back({named, {rate(now), rate(late)}});
+    }
+    std::ranges::stable_sort(out, std::greater<>(), size);
+    if (out.empty() || size(out.front()) == 0.0) { return out; }
+    const std::complex<double> unit = out.front().amplitude;
+    for (ModeOfJoint& joint : out) { joint.amplitude /= unit; }
+    return out;
+}
+
+/// The body that is accelerated most, and how: "'stone' is still accelerated by 6.9 m/s²".
+std::string push_text(const RestView& view) {
+    const Motion& a = view.outcome.acceleration;
+    const double length = extent(*view.mechanism);
+    std::size_t most = 0;
+    const auto size = [&](std::size_t b) { return a.r_dot[b].norm() / length + a.omega_local[b].norm(); };
+    for (std::size_t b = 0; b < a.r_dot.size(); ++b) {
+        if (size(b) > size(most)) { most = b; }
+    }
+    return tr(
+        "There, '{0}' would be accelerated by {1} m/s² and {2} rad/s².", view.mechanism->bodies[most].name,
+        number_text(a.r_dot[most].norm()), number_text(a.omega_local[most].norm()));
+}
+
+std::string failure_text(const RestView& view) {
+    using Failure = RestOutcome::Failure;
+    const int steps = view.outcome.steps;
+    switch (view.outcome.failure) {
+        case Failure::none: return {};
+        case Failure::too_many_steps:
+            return tr("No equilibrium was found in {0} steps: the forces push on and on. Nothing may hold "
+                      "the mechanism in their direction.",
+                      steps) +
+                   " " + push_text(view);
+        case Failure::no_step:
+            return tr("The search ended after {0} steps: no step along the forces is proved to stay on the "
+                      "branch. Branches may meet there.",
+                      steps) +
+                   " " + push_text(view);
+        case Failure::no_descent: break;
+    }
+    return tr("The search ended after {0} steps: no step decreases the forces. Start nearer to the "
+              "equilibrium.",
+              steps) +
+           " " + push_text(view);
+}
+
+}  // namespace
+
+std::string stability_text(const RestOutcome& outcome) {
+    const SmallMotions& motions = outcome.motions;
+    if (outcome.freedoms == 0) { return tr("The mechanism has no freedom: its drivers hold it."); }
+    switch (motions.stability) {
+        case Stability::stable:
+            return motions.is_conservative ? tr("Stable: the potential energy of the loads is least here.")
+                                           : tr("Stable: every small motion decays.");
+        case Stability::unstable: {
+            const std::complex<double> s = motions.modes.front().s;
+            return s.imag() > 0.0 ? tr("Unstable: an oscillation grows by a factor of e in {0} s.",
+                                       number_text(1.0 / s.real()))
+                                  : tr("Unstable: a small motion grows by a factor of e in {0} s.",
+                                       number_text(1.0 / s.real()));
+        }
+        case Stability::cannot_tell: break;
+    }
+    const auto unheld = std::ranges::count(motions.modes, std::complex<double>(), &Mode::s);
+    return motions.is_conservative
+               ? tr_count(
+                     static_cast<int>(unheld),
+                     "Nothing pushes it away, but along {0} freedom the forces do not change to first order.",
+                     "Nothing pushes it away, but along {0} freedoms the forces do not change to first "
+                     "order.")
+               : tr("Not known whether it is stable: the loads have no potential, and a small motion neither "
+                    "grows nor decays to first order.");
+}
+
+RestView find_rest(const Lesson& lesson, const RestRequest& request) {
+    if (!lesson.dynamics) {
+        throw std::invalid_argument("this lesson has no [dynamics]; expected masses and a table [dynamics]");
+    }
+    const Story story(lesson, last_pose_only());
+    if (const Step* failed = story.failure()) { throw not_reached(lesson, *failed); }
+    const State& assembled = story.steps().back().state;
+
+    RestView view;
+    view.mechanism = std::make_shared<const Mechanism>(with_held(lesson.mechanism, request.held, assembled));
+    auto scene = std::make_shared<const Centroidal>(centroidal(*view.mechanism, lesson.dynamics->loads));
+    view.outcome = find_equilibrium(*scene, scene->to_centroidal(assembled), 0.0, request.seek);
+    scene = std::make_shared<const Centroidal>(scene->mechanism, view.outcome.loads, scene->centres);
+    Instant& instant = view.instant;
+    instant.state = scene->as_given(view.outcome.state);
+    instant.velocity = zero_motion(*view.mechanism);
+    instant.acceleration = instant.velocity;
+    instant.centroidal_acceleration = instant.velocity;
+    instant.system = std::make_shared<const System>(*view.mechanism, everything(*view.mechanism));
+    instant.scene = scene;
+    view.quantities = told_quantities(*view.mechanism);
+    for (const Mode& mode : view.outcome.motions.modes) {
+        view.modes.push_back(joints_of(mode, view, *scene, view.outcome.state));
+    }
+    view.failure = failure_text(view);
+    return view;
+}
+
+}  // namespace jw

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <complex>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/quantity/evaluate.hpp"
+#include "core/quantity/names.hpp"
+#include "core/statics/equilibrium.hpp"
+#include "lessons/lesson/lesson.hpp"
+
+/// A lesson of dynamics at rest: the equilibrium to which its forces lead, what holds it there, and the small
+/// motions about it.
+namespace jw {
+
+struct RestRequest {
+    Seek seek = Seek::where_it_rests;
+    std::vector<std::string> held;  ///< joints whose angle or displacement stays what it is at the start
+};
+
+/// Movement of an angle or a displacement of a joint in a small motion, or the rotation of a body on a ball.
+struct ModeOfJoint {
+    NamedQuantity quantity;          ///< as a rate
+    std::complex<double> amplitude;  ///< where that of the first joint is 1 [rad, m]
+};
+
+struct RestView {
+    std::shared_ptr<const Mechanism> mechanism;  ///< with a driver for each joint that is held
+    RestOutcome outcome;
+    Instant instant;                        ///< the pose that was reached, at rest, in the frames as given
+    std::vector<NamedQuantity> quantities;  ///< of joints, drivers and energy
+    std::vector<std::vector<ModeOfJoint>> modes;  ///< one per mode of the outcome
+    std::string failure;                          ///< why no equilibrium was found; empty if one was
+};
+
+/// Assembles the lesson and finds its equilibrium. Drivers and loads are those of t = 0.
+/// @throws std::invalid_argument if the lesson has no [dynamics], or a joint that is held does not exist or
+///         has no coordinate, or several, without a name for one of them
+/// @throws PoseNotReached if the lesson cannot be assembled
+RestView find_rest(const Lesson& lesson, const RestRequest& request);
+
+/// Stable, unstable or not known, in one sentence.
+std::string stability_text(const RestOutcome& outcome);
+
+}  // namespace jw

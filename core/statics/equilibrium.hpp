@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "core/motion/loads.hpp"
+#include "core/statics/modes.hpp"
+
+/// Statics: poses at which a mechanism stays at rest under its loads.
+namespace jw {
+
+/// Which equilibrium is looked for.
+enum class Seek {
+    where_it_rests,  ///< the forces push the mechanism from the start to it: not an unstable one
+    nearest,         ///< the one to which Newton's method leads from the start, stable or not
+};
+
+/// Result of a search.
+struct RestOutcome {
+    enum class Failure {
+        none,
+        too_many_steps,  ///< the forces push on and on
+        no_step,         ///< they push, but no step in their direction is proved to stay on the branch
+        no_descent,      ///< `nearest`: no step decreases the forces
+    };
+    Failure failure = Failure::none;
+    State state;          ///< of the centroidal frames; the last one that was reached
+    Loads loads;          ///< with the turns of rotational springs counted up to `state`
+    Motion acceleration;  ///< of the bodies from rest at `state`: 0 at an equilibrium
+    int freedoms = 0;
+    int steps = 0;
+    /// Largest force that is left over along a freedom, divided by the sizes of all loads.
+    double residual = 0.0;
+    SmallMotions motions;  ///< about the equilibrium, if one was found
+};
+
+/// Finds an equilibrium: a pose with δᵀ Q = 0 for every δ with Φq δ = 0. Drivers and loads are those of time
+/// `t` and stand still.
+///
+/// `where_it_rests` follows the forces like a motion so heavily damped that it has no velocity: each step
+/// solves (|K| + μ I) δ = Q along the freedoms, orthonormal in M, with μ such that no body turns by more than
+/// a fifth of a radian. |K| is K where it is positive definite; elsewhere the eigenvalues of its symmetric
+/// part have their sizes, so that the step leads along the forces. Near a stable equilibrium μ is 0, and this
+/// is Newton's method. `nearest` reduces |Q| along the freedoms, in the metric of M⁻¹, by damped least
+/// squares. Every step is corrected by Newton's method on Φ; in loops it is taken only if it is proved that
+/// it stays on its branch.
+/// @param start of the centroidal frames, satisfies the constraints at time `t` [s]
+/// @source slide 24 with q̇ = q̈ = 0
+RestOutcome find_equilibrium(const Centroidal& scene, const State& start, double t, Seek seek);
+
+}  // namespace jw
