@@ -49,7 +49,7 @@ void add_rest(CLI::App& app, const Streams& streams, Run& run) {
     command
         ->add_option(
             "--hold", options->held,
-            "joint whose angle or displacement stays as at the start; the torque or force that holds it is "
+            "joint whose angle or displacement stays as assembled; the torque or force that holds it is "
             "written as its effort")
         ->type_name("JOINT");
     command->add_flag(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "core/kinematics/paths/free_proof.hpp"
@@ -36,8 +37,16 @@ constexpr int kMostCorrections = 8;
 constexpr int kRejectedUntilAsked = 4;
 // the next step may be so much longer than the last one
 constexpr double kGrowthOfReach = 2.0;
-// a smallest eigenvalue below this share of the largest is none to divide by
-constexpr double kSoft = 1e-9;
+constexpr double kSoft = 1e-9;  // share of a matrix with which μ begins
+// of loads and reactions: rounding, times the condition of the constraints
+constexpr double kRoundingOfForces = 1e-12;
+constexpr int kMostPolished = 20;  // Newton's method needs 4 from there on
+// where nothing stops the bodies, the forces stay the same on the whole way
+constexpr int kStepsBetweenLooks = 200;
+constexpr double kUnchanged = 1e-6;
+// poses whose rank is compared with that of an equilibrium, and how far from it [rad, extents]
+constexpr int kPosesBeside = 4;
+constexpr double kBeside = 1e-2;
 
 class Search {
 public:
@@ -50,7 +59,8 @@ public:
           newton_(system_),
           proof_(FreeProof::of(system_, t)),
           here_(std::make_unique<FreeForces>(scene, system_, t)),
-          there_(std::make_unique<FreeForces>(scene, system_, t)) {
+          there_(std::make_unique<FreeForces>(scene, system_, t)),
+          turns_(scene.mechanism.joints.size(), 0) {
         take(*here_, start);
         here_->count_turns();
         here_->find_forces();
@@ -58,33 +68,62 @@ public:
 
     RestOutcome run() {
         RestOutcome out;
-        while (out.failure == RestOutcome::Failure::none && !is_found()) {
-            if (out.steps == kMostSteps) {
-                out.failure = RestOutcome::Failure::too_many_steps;
-            } else if (step()) {
-                ++out.steps;
-            } else if (here_->residual() <= kAtRest) {
-                break;
-            } else {
+        for (;; ++out.steps) {
+            const VectorX way = direction();
+            if (is_found(way)) { break; }
+            out.failure = failure_after(out.steps);
+            if (out.failure != RestOutcome::Failure::none) { break; }
+            if (step(way)) { continue; }
+            if (here_->residual() > kAtRest) {
                 out.failure = is_nearest() ? RestOutcome::Failure::no_descent : RestOutcome::Failure::no_step;
             }
+            break;
         }
         out.state = here_->state();
         out.loads = here_->loads();
+        out.turns = turns_;
         out.freedoms = here_->freedoms();
         out.residual = here_->residual();
         out.acceleration = here_->layout().motion_of(here_->state(), here_->free() * here_->push());
-        if (out.failure == RestOutcome::Failure::none) { out.motions = small_motions(*here_); }
+        if (out.failure != RestOutcome::Failure::none) { return out; }
+        if (has_fewer_freedoms_beside()) {
+            out.motions.is_singular = true;
+        } else {
+            out.motions = small_motions(*here_);
+        }
         return out;
     }
 
 private:
     bool is_nearest() const { return seek_ == Seek::nearest; }
-    /// True at an equilibrium that more steps would not improve.
-    bool is_found() {
+    /// True at an equilibrium that the step `way` would not improve.
+    bool is_found(const VectorX& way) {
         const double before = std::exchange(last_residual_, here_->residual());
-        return here_->freedoms() == 0 || last_residual_ == 0.0 ||
-               (last_residual_ <= kAtRest && last_residual_ >= kStillFalls * before);
+        if (way.size() == 0 || way.isZero(0.0)) { return true; }
+        return last_residual_ <= kAtRest && last_residual_ >= kStillFalls * before && !is_pushed_away_;
+    }
+
+    RestOutcome::Failure failure_after(int steps) {
+        if (steps == kMostSteps) { return RestOutcome::Failure::too_many_steps; }
+        if (steps % kStepsBetweenLooks != 0) { return RestOutcome::Failure::none; }
+        const double before = std::exchange(looked_at_, last_residual_);
+        const bool changes = std::abs(last_residual_ - before) > kUnchanged * before;
+        return steps == 0 || changes ? RestOutcome::Failure::none : RestOutcome::Failure::endless;
+    }
+
+    /// True at a singular pose: more equations are independent at poses beside it.
+    bool has_fewer_freedoms_beside() {
+        for (int k = 1; k <= kPosesBeside && here_->freedoms() > 0; ++k) {
+            // a different combination of all freedoms each time
+            VectorX way = here_->free() * VectorX::LinSpaced(here_->freedoms(), 1.0, std::sqrt(2.0) * k);
+            way *= (k % 2 == 0 ? kBeside : -kBeside) / here_->movement(way);
+            State prediction = here_->state();
+            here_->layout().advance(prediction, way);
+            if (!correct(prediction)) { continue; }
+            take(*there_, newton_.state());
+            if (there_->rank() > here_->rank()) { return true; }
+        }
+        return false;
     }
 
     /// Takes a pose, for which the rows of p1 and p2 are chosen.
@@ -93,30 +132,43 @@ private:
         forces.set(state);
     }
 
-    /// A whole step along the freedoms.
+    /// A whole step along the freedoms; zero where the forces are rounding.
     VectorX direction() {
-        const MatrixX K = here_->stiffness(2);
+        is_pushed_away_ = false;
+        if (here_->freedoms() == 0) { return VectorX(0); }
+        const MatrixX K = here_->stiffness();
+        if (!is_nearest()) { return towards_rest(K); }
         const VectorX& push = here_->push();
-        if (!is_nearest()) { return limited(towards_rest(K), push); }
         const VectorX downhill = K.transpose() * push;
         // where |Nᵀ Q| is largest, any way leads down: the one along the forces
         return downhill.isZero(0.0) ? limited(K, push) : limited(K.transpose() * K, downhill);
     }
 
-    /// K, where the forces grow along the way as if they fell as fast: along each eigenvector of its
-    /// symmetric part, the eigenvalue has its size. A step with it leads along the forces.
-    static MatrixX towards_rest(const MatrixX& K) {
+    /// A step with K; where the forces grow along the way, as if they fell as fast: along each eigenvector of
+    /// its symmetric part, the eigenvalue has its size. So it leads along the forces.
+    VectorX towards_rest(const MatrixX& K) {
         const Eigen::SelfAdjointEigenSolver<MatrixX> eigen(MatrixX(0.5 * (K + K.transpose())));
         const VectorX& lambda = eigen.eigenvalues();
-        const double soft = kSoft * lambda.cwiseAbs().maxCoeff();
-        if (lambda(0) > soft) { return K; }
-        const VectorX added = lambda.cwiseAbs().cwiseMax(soft) - lambda;
-        return K + eigen.eigenvectors() * added.asDiagonal() * eigen.eigenvectors().transpose();
+        here_->turn(eigen.eigenvectors());
+        const VectorX errors = stiffness_errors(*here_, here_->free(), lambda.cwiseAbs().maxCoeff());
+        VectorX push = here_->push();
+        for (Eigen::Index k = 0; k < push.size(); ++k) {
+            const bool is_rounding =
+                std::abs(push(k)) <= kRoundingOfForces * here_->work_of_sizes(here_->free().col(k));
+            // a freedom without stiffness would be moved far by rounding; from a summit nothing pushes it
+            // away
+            if (is_rounding && lambda(k) <= errors(k)) { push(k) = 0.0; }
+            is_pushed_away_ = is_pushed_away_ || (!is_rounding && lambda(k) < -errors(k));
+        }
+        MatrixX turned = eigen.eigenvectors().transpose() * K * eigen.eigenvectors();
+        turned.diagonal() += lambda.cwiseAbs().cwiseMax(errors) - lambda;
+        return limited(turned, push);
     }
 
     /// Solution of (A + μ I) x = b with the smallest of the μ tried, 0 first, for which no body moves by more
     /// than the longest step.
     VectorX limited(const MatrixX& A, const VectorX& b) {
+        if (b.isZero(0.0)) { return b; }
         double mu = 0.0;
         double next = std::max(kSoft * A.norm(), kShareOfLast * mu_);
         for (int k = 0; k < kMostDoublings; ++k) {
@@ -144,10 +196,12 @@ private:
 
     /// Takes the longest part of a whole step that keeps what it promises to first order, and stays on the
     /// branch: the forces do work on all of it, or |Nᵀ Q| falls. @return false if there is none
-    bool step() {
-        const VectorX along = direction();
+    bool step(const VectorX& along) {
         const VectorX columns = here_->free() * along;
         const double work = here_->push().dot(along);
+        // the work of light bodies beside heavy ones cannot be compared: then Newton's method is trusted
+        const bool is_rounding = std::abs(work) <= kRoundingOfForces * here_->work_of_sizes(columns);
+        polished_ += is_rounding ? 1 : 0;
         const double movement = here_->movement(columns);
         int rejected = 0;
         const double first = std::min(1.0, reach_ / movement);
@@ -158,20 +212,31 @@ private:
             take(*there_, newton_.state());
             if (is_nearest()) { there_->find_forces(); }
             const VectorX columns_there = there_->free_part(columns);
-            const double work_there = there_->force_at(there_->state()).dot(columns_there);
+            const double work_there = there_->unbalanced().dot(columns_there);
             const bool keeps =
-                is_nearest() ? there_->push().norm() <= (1.0 - kSufficient * fraction) * here_->push().norm()
-                             : work + work_there >= kSufficient * work;
+                is_nearest()
+                    ? there_->push().norm() <= (1.0 - kSufficient * fraction) * here_->push().norm()
+                    : work + work_there >= kSufficient * work || (is_rounding && polished_ <= kMostPolished);
             if (keeps && stays(prediction, columns, columns_there, fraction, rejected)) {
                 std::swap(here_, there_);
                 here_->count_turns();
                 here_->find_forces();
+                count_turns_of_joints();
                 reach_ = kGrowthOfReach * fraction * movement;
                 return true;
             }
         }
         system_.choose_rows(here_->state());
         return false;
+    }
+
+    /// Counts whole turns of the joints' angles: no body turns by half a turn in a step.
+    void count_turns_of_joints() {
+        for (std::size_t j = 0; j < turns_.size(); ++j) {
+            const double change = relative_angle(still_.joints[j], here_->state()) -
+                                  relative_angle(still_.joints[j], there_->state());
+            if (std::abs(change) > std::numbers::pi) { turns_[j] += change > 0.0 ? -1 : 1; }
+        }
     }
 
     /// True if it is proved that the step stays on its branch; where nothing can be proved, if it stays near
@@ -204,7 +269,11 @@ private:
     std::unique_ptr<FreeForces> there_;  ///< at the end of a step
     double reach_ = kLongestStep;        ///< movement that is tried first
     double mu_ = 0.0;                    ///< of the last step
+    bool is_pushed_away_ = false;        ///< from an unstable equilibrium
+    int polished_ = 0;                   ///< steps whose work is rounding
     double last_residual_ = std::numeric_limits<double>::infinity();
+    double looked_at_ = 0.0;  ///< residual some steps before
+    std::vector<int> turns_;  ///< of the angle of each joint
 };
 
 }  // namespace

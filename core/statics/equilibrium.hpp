@@ -18,17 +18,20 @@ enum class Seek {
 struct RestOutcome {
     enum class Failure {
         none,
-        too_many_steps,  ///< the forces push on and on
+        endless,         ///< the forces push on, and do not change
+        too_many_steps,  ///< the equilibrium is far away, or only short steps are proved
         no_step,         ///< they push, but no step in their direction is proved to stay on the branch
         no_descent,      ///< `nearest`: no step decreases the forces
     };
     Failure failure = Failure::none;
-    State state;          ///< of the centroidal frames; the last one that was reached
-    Loads loads;          ///< with the turns of rotational springs counted up to `state`
-    Motion acceleration;  ///< of the bodies from rest at `state`: 0 at an equilibrium
+    State state;             ///< of the centroidal frames; the last one that was reached
+    Loads loads;             ///< with the turns of rotational springs counted up to `state`
+    std::vector<int> turns;  ///< whole turns of the angle of each joint on the way
+    Motion acceleration;     ///< of the bodies from rest at `state`: 0 at an equilibrium
     int freedoms = 0;
     int steps = 0;
-    /// Largest force that is left over along a freedom, divided by the sizes of all loads.
+    /// Largest force or torque that is left over on a body, divided by the sizes of loads and reactions on
+    /// it.
     double residual = 0.0;
     SmallMotions motions;  ///< about the equilibrium, if one was found
 };

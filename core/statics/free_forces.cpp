@@ -1,6 +1,7 @@
 #include "core/statics/free_forces.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 #include "core/jets/body_kinematics.hpp"
@@ -15,9 +16,14 @@ namespace {
 // movement of a body in a difference: for four poses, h⁴ and the rounding of loads divided by h are both
 // about 1e-12 of them
 constexpr double kStep = 1e-3;
-// of the largest inertia: only where a wheel has no line, θ moves alone; it must not be without inertia
+// of all inertia, for an artificial coordinate that moves alone: it must not be without any
 constexpr double kInertiaOfTheta = 1e-9;
+constexpr double kAlone = 1e-9;
+// least length of a spring that bounds the step of a difference, in extents
+constexpr double kShortestSpring = 1e-6;
 constexpr double kLeastInertia = 1e-15;
+// of all loads: what acts on a body without any load, since freedoms are computed together
+constexpr double kNothing = 1e-14;
 
 /// A vector of numbers between -1 and 1, the same on every machine.
 VectorX drawn(Eigen::Index size, std::mt19937& random) {
@@ -38,17 +44,15 @@ FreeForces::FreeForces(const Centroidal& scene, const System& system, double t)
       least_squares_(scaling_of<OmegaLocal>(system)),
       scaling_(scaling_of<OmegaLocal>(system)) {}
 
+/// M times columns, without θ, which has no mass.
 VectorX FreeForces::mass_times(const VectorX& columns) const {
-    VectorX out = columns;
-    double largest = 0.0;
+    VectorX out = VectorX::Zero(columns.size());
     for (const int body : system_->moving_bodies()) {
         const Eigen::Index first = system_->body_column(body, 3);
         const MassProperties& own = *loads_.masses[at(body)];
-        out.segment<3>(first) *= own.mass;
+        out.segment<3>(first) = own.mass * columns.segment<3>(first);
         out.segment<3>(first + 3) = own.J_local * columns.segment<3>(first + 3);
-        largest = std::max(largest, own.mass * length_ * length_ + own.J_local.trace());
     }
-    out.tail(static_cast<Eigen::Index>(system_->active_thetas().size())) *= kInertiaOfTheta * largest;
     return out;
 }
 
@@ -69,40 +73,82 @@ VectorX FreeForces::force_at(const State& state, const Motion* velocity) const {
     return out;
 }
 
-/// Adds up what each load does by itself: loads that cancel each other leave rounding of their sizes.
+Vec3 FreeForces::end_of(int body, const Vec3& P_local) const {
+    return state_.r[at(body)] + rotation_matrix(state_.p[at(body)]) * P_local;
+}
+
+/// Adds up what each load and the reactions do by themselves: those that cancel each other leave rounding of
+/// their sizes.
 void FreeForces::measure_loads() {
     const Loads all = loads_;
-    size_ = 0.0;
-    const auto measure = [&] {
-        const VectorX force = force_at(state_);
+    sizes_.assign(all.masses.size(), 0.0);
+    const auto add = [&](int body, const Vec3& f, const Vec3& n) {
+        sizes_[at(body)] += length_ * f.norm() + n.norm();
+    };
+    const auto measure = [&](const VectorX& force) {
         for (const int body : system_->moving_bodies()) {
             const Eigen::Index first = system_->body_column(body, 3);
-            size_ += length_ * force.segment<3>(first).norm() + force.segment<3>(first + 3).norm();
+            add(body, force.segment<3>(first), force.segment<3>(first + 3));
         }
     };
     const auto measure_each = [&](auto list) {
         for (const auto& load : all.*list) {
             (loads_.*list) = {load};
-            measure();
+            measure(force_at(state_));
         }
         (loads_.*list).clear();
     };
     loads_ = Loads{};
     loads_.masses = all.masses;
     loads_.gravity = all.gravity;
-    measure();
+    measure(force_at(state_));
     loads_.gravity.setZero();
     measure_each(&Loads::forces);
     measure_each(&Loads::torques);
-    measure_each(&Loads::springs);
-    measure_each(&Loads::rotational_springs);
     loads_ = all;
+    // of a spring, its length and its free length are subtracted from each other
+    for (const Spring& spring : all.springs) {
+        const double length =
+            (end_of(spring.body_j, spring.P_j_local) - end_of(spring.body_i, spring.P_i_local)).norm();
+        const double size = length_ * spring.stiffness * (length + std::abs(spring.free_length));
+        sizes_[at(spring.body_i)] += size;
+        sizes_[at(spring.body_j)] += size;
+    }
+    for (const RotationalSpring& spring : all.rotational_springs) {
+        const double size = spring.stiffness * (1.0 + std::abs(spring.free_angle));
+        sizes_[at(spring.body_i)] += size;
+        sizes_[at(spring.body_j)] += size;
+    }
+    const std::vector<SparseRow>& rows = assembler_.sparse_jacobian().rows;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (rows[k].first_column[side] < 0) { continue; }
+            const double* block = rows[k].block[side].data();
+            const double lambda = lambda_(static_cast<Eigen::Index>(k));
+            add(system_->moving_bodies()[at(rows[k].first_column[side] / 6)], lambda * vec3(block),
+                lambda * vec3(block + 3));
+        }
+    }
+}
+
+/// True if an artificial coordinate moves while no body does, as where a wheel has no line.
+bool FreeForces::moves_theta_alone() {
+    const auto thetas = static_cast<Eigen::Index>(system_->active_thetas().size());
+    const Eigen::Index bodies = layout().columns() - thetas;
+    for (Eigen::Index k = 0; k < thetas; ++k) {
+        VectorX column = free_part(VectorX::Unit(bodies + thetas, bodies + k));
+        const double own = std::abs(column(bodies + k));
+        column.tail(thetas).setZero();
+        if (movement(column) < kAlone * own) { return true; }
+    }
+    return false;
 }
 
 /// Freedoms are the free parts of random columns, made orthonormal in M by a factorisation of their Gram
 /// matrix; twice, since random columns are almost parallel where there are many.
 void FreeForces::find_freedoms() {
     std::mt19937 random(1);
+    const bool weighs_theta = moves_theta_alone();
     const Eigen::Index columns = layout().columns();
     free_.resize(columns, columns - rank_);
     for (Eigen::Index k = 0; k < free_.cols(); ++k) {
@@ -112,6 +158,10 @@ void FreeForces::find_freedoms() {
     for (int pass = 0; pass < 2 && free_.cols() > 0; ++pass) {
         MatrixX weighted(columns, free_.cols());
         for (Eigen::Index k = 0; k < free_.cols(); ++k) { weighted.col(k) = mass_times(free_.col(k)); }
+        if (weighs_theta) {
+            const auto thetas = static_cast<Eigen::Index>(system_->active_thetas().size());
+            weighted.bottomRows(thetas) = kInertiaOfTheta * weighted.norm() * free_.bottomRows(thetas);
+        }
         const Eigen::LDLT<MatrixX> gram(MatrixX(free_.transpose() * weighted));
         MatrixX rows = gram.transpositionsP() * free_.transpose();
         MatrixX(gram.matrixL()).triangularView<Eigen::UnitLower>().solveInPlace(rows);
@@ -128,30 +178,82 @@ void FreeForces::set(const State& state) {
     const VectorX& phi = assembler_.phi();
     const double residual = phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
     rank_ = least_squares_.rank(std::max(kRankThreshold, kErrorFactor * residual));
+    unbalanced_ = force_at(state_);
+    lambda_ = VectorX::Zero(phi.size());
+    if (rank_ == 0) { return; }
+    least_squares_.solve_transposed(-unbalanced_, rank_, lambda_);
+    unbalanced_ += assembler_.sparse_jacobian().transposed_times(lambda_);
 }
 
 void FreeForces::find_forces() {
     find_freedoms();
-    const VectorX force = force_at(state_);
-    lambda_ = VectorX::Zero(assembler_.phi().size());
-    if (rank_ > 0) { least_squares_.solve_transposed(-force, rank_, lambda_); }
-    push_ = free_.transpose() * force;
+    push_ = free_.transpose() * unbalanced_;
     measure_loads();
 }
 
 void FreeForces::count_turns() { jw::count_turns(loads_, kinematics_of(state_)); }
 
 double FreeForces::residual() const {
+    const VectorX left = mass_times(free_ * push_);
+    const double all = std::accumulate(sizes_.begin(), sizes_.end(), 0.0);
     double largest = 0.0;
-    for (Eigen::Index k = 0; k < push_.size() && size_ > 0.0; ++k) {
-        largest = std::max(largest, std::abs(push_(k)) / (size_ * movement(free_.col(k))));
+    for (const int body : system_->moving_bodies()) {
+        const Eigen::Index first = system_->body_column(body, 3);
+        const double size = length_ * left.segment<3>(first).norm() + left.segment<3>(first + 3).norm();
+        const bool is_rounding = std::max(size, sizes_[at(body)]) <= kNothing * all;
+        if (size > 0.0 && !is_rounding) { largest = std::max(largest, size / sizes_[at(body)]); }
     }
     return largest;
 }
 
+void FreeForces::turn(const MatrixX& V) {
+    free_ = free_ * V;
+    push_ = V.transpose() * push_;
+}
+
 double FreeForces::movement(const VectorX& columns) const { return largest_part(*system_, columns, length_); }
 
-MatrixX FreeForces::stiffness(int points) {
+double FreeForces::movement_of(int body, const VectorX& columns) const {
+    const Eigen::Index first = system_->body_column(body, 3);
+    return columns.segment<3>(first).norm() / length_ + columns.segment<3>(first + 3).norm();
+}
+
+double FreeForces::work_of_sizes(const VectorX& columns) const {
+    double sum = 0.0;
+    for (const int body : system_->moving_bodies()) { sum += sizes_[at(body)] * movement_of(body, columns); }
+    return sum;
+}
+
+double FreeForces::stiffness_of_sizes(const VectorX& columns) const {
+    double sum = 0.0;
+    for (const int body : system_->moving_bodies()) {
+        const double movement = movement_of(body, columns);
+        sum += sizes_[at(body)] * movement * movement;
+    }
+    return sum;
+}
+
+/// Factor of columns in a difference: no body moves by more than kStep, and no spring's end by more than that
+/// part of its length, on which the direction of its force depends.
+double FreeForces::step_along(const VectorX& columns) const {
+    double largest = movement(columns);
+    const Motion motion = layout().motion_of(state_, columns);
+    const auto velocity = [&](int body, const Vec3& P_local) {
+        const Vec3 turning = motion.omega_local[at(body)].cross(P_local);
+        return Vec3(motion.r_dot[at(body)] + rotation_matrix(state_.p[at(body)]) * turning);
+    };
+    for (const Spring& spring : loads_.springs) {
+        // the force of other springs is linear in their ends
+        if (spring.s_i_local || spring.free_length == 0.0) { continue; }
+        const Vec3 d = end_of(spring.body_j, spring.P_j_local) - end_of(spring.body_i, spring.P_i_local);
+        const Vec3 d_dot =
+            velocity(spring.body_j, spring.P_j_local) - velocity(spring.body_i, spring.P_i_local);
+        largest = std::max(largest, d_dot.norm() / std::max(d.norm(), kShortestSpring * length_));
+    }
+    return kStep / largest;
+}
+
+MatrixX FreeForces::stiffness() {
     MatrixX slopes(free_.rows(), free_.cols());
     State there;
     // Q + Φqᵀ λ at a movement from here
@@ -162,20 +264,14 @@ MatrixX FreeForces::stiffness(int points) {
         return VectorX(force_at(there) + beside_.sparse_jacobian().transposed_times(lambda_));
     };
     for (Eigen::Index k = 0; k < free_.cols(); ++k) {
-        const double h = kStep / movement(free_.col(k));
+        const double h = step_along(free_.col(k));
         const auto slope = [&](double step) {
             return VectorX(
                 (force_beside(step * free_.col(k)) - force_beside(-step * free_.col(k))) / (2.0 * step));
         };
-        slopes.col(k) = points == 2 ? slope(h) : VectorX((4.0 * slope(h) - slope(2.0 * h)) / 3.0);
+        slopes.col(k) = (4.0 * slope(h) - slope(2.0 * h)) / 3.0;
     }
     return -free_.transpose() * slopes;
-}
-
-double FreeForces::stiffness_size() const {
-    double largest = 0.0;
-    for (Eigen::Index k = 0; k < free_.cols(); ++k) { largest = std::max(largest, movement(free_.col(k))); }
-    return size_ * largest * largest;
 }
 
 MatrixX FreeForces::damping() const {

@@ -14,9 +14,9 @@ public:
     /// @param system all joints, with drivers at rest; must outlive this, as `scene`
     FreeForces(const Centroidal& scene, const System& system, double t);
 
-    /// Takes a pose of the centroidal frames, and factors its equations; call first.
+    /// Takes a pose of the centroidal frames, factors its equations and finds multipliers; call first.
     void set(const State& state);
-    /// Finds freedoms, multipliers and loads at the pose; call before what is below.
+    /// Finds freedoms and sizes of loads at the pose; call before what is below.
     void find_forces();
     /// Counts the turns of rotational springs up to the pose.
     void count_turns();
@@ -26,8 +26,8 @@ public:
     int rank() const { return rank_; }
     /// Largest movement of a body in columns: turn [rad] or displacement [extents].
     double movement(const VectorX& columns) const;
-    /// Q by columns at a pose.
-    VectorX force_at(const State& state, const Motion* velocity = nullptr) const;
+    /// Q + Φqᵀ λ by columns: Q along the freedoms, without what the joints take of heavy bodies.
+    const VectorX& unbalanced() const { return unbalanced_; }
     /// The part of columns that is free at this pose, in scaled unknowns.
     VectorX free_part(VectorX columns);
     const Layout<OmegaLocal>& layout() const { return assembler_.layout(); }
@@ -35,19 +35,34 @@ public:
     int freedoms() const { return static_cast<int>(free_.cols()); }
     const MatrixX& free() const { return free_; }  ///< N [columns of (r, ω') and θ x freedoms]
     const VectorX& push() const { return push_; }  ///< Nᵀ Q: accelerations from rest along the freedoms
-    /// Largest |Nᵀ Q| of a freedom, divided by the sizes of all loads times its largest movement.
+    /// Largest force or torque that is left over on a body, divided by the sizes of all loads and reactions
+    /// on that body.
     double residual() const;
-    /// K = -Nᵀ ∂(Q + Φqᵀ λ)/∂q N, from `points` (2 or 4) poses per freedom [1/s²].
-    MatrixX stiffness(int points);
+    /// Chooses other freedoms: N becomes N V. @param V orthogonal
+    void turn(const MatrixX& V);
+    /// K = -Nᵀ ∂(Q + Φqᵀ λ)/∂q N, from four poses per freedom [1/s²].
+    MatrixX stiffness();
     /// C = -Nᵀ ∂Q/∂q̇ N [1/s].
     MatrixX damping() const;
-    /// Stiffness of loads that change by their own size along a unit of movement [1/s²].
-    double stiffness_size() const;
+    /// Work of all loads and reactions, without their signs, along columns: what rounding of Nᵀ Q is compared
+    /// with.
+    double work_of_sizes(const VectorX& columns) const;
+    /// Stiffness along columns of loads and reactions that change by their own size along a unit of movement:
+    /// what rounding of K is compared with.
+    double stiffness_of_sizes(const VectorX& columns) const;
 
 private:
     void find_freedoms();
+    /// Q by columns at a pose.
+    VectorX force_at(const State& state, const Motion* velocity = nullptr) const;
     VectorX mass_times(const VectorX& columns) const;
     void measure_loads();
+    /// Movement of a body in columns, as in `movement`.
+    double movement_of(int body, const VectorX& columns) const;
+    /// Point of a body, global [m].
+    Vec3 end_of(int body, const Vec3& P_local) const;
+    double step_along(const VectorX& columns) const;
+    bool moves_theta_alone();
 
     const System* system_;
     Loads loads_;
@@ -61,8 +76,10 @@ private:
     int rank_ = 0;
     MatrixX free_;
     VectorX lambda_;
+    VectorX unbalanced_;
     VectorX push_;
-    double size_ = 0.0;  ///< of all loads together [N m]: forces times the extent, and torques
+    /// Sizes of all loads and reactions on each body [N m]: forces times the extent, and torques.
+    std::vector<double> sizes_;
 };
 
 }  // namespace jw

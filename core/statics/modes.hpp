@@ -26,12 +26,20 @@ enum class Stability {
 struct SmallMotions {
     std::vector<Mode> modes;  ///< one that grows first, then slow before fast
     Stability stability = Stability::cannot_tell;
+    /// The pose has more freedoms than those beside it; then there are no modes.
+    bool is_singular = false;
     bool is_conservative = true;  ///< K is symmetric up to rounding: the loads have a potential here
     bool is_damped = false;
 };
 
 /// Linearises the equations of motion at an equilibrium. K is the derivative of Q + Φqᵀ λ along the freedoms,
-/// with λ fixed, from five poses each (error of order h⁴); it contains the curvature of the constraints.
+/// with λ fixed, by differences of fourth order; it contains the curvature of the constraints. It is computed
+/// twice: along the eigenvectors of the first K, stiff freedoms do not hide soft ones.
 SmallMotions small_motions(FreeForces& forces);
+
+/// Bound on the error of each eigenvalue of the symmetric part of K: differences of the loads and reactions
+/// on the bodies that move, and rounding of the largest one.
+/// @param shapes columns of the freedoms, one per eigenvalue
+VectorX stiffness_errors(const FreeForces& forces, const MatrixX& shapes, double largest);
 
 }  // namespace jw

@@ -72,6 +72,17 @@ TEST_CASE("rest tells which torque holds a joint where it starts", "[app][rest]"
     CHECK_THAT(slip.err, Catch::Contains("--hold 'pim'") && Catch::Contains("expected one of pin.angle"));
 }
 
+TEST_CASE("rest holds each joint once, and knows what was taken out", "[app][rest]") {
+    for (const std::string& again : {std::string("pin"), std::string("pin.angle")}) {
+        const Ran twice = run({"rest", kPendulum, "--hold", "pin", "--hold", again});
+        CHECK(twice.status == 2);
+        CHECK_THAT(twice.err, Catch::Contains("'hold pin.angle' prescribes it already"));
+    }
+    const Ran falls = run({"rest", kPendulum, "--try", "take out pin"});
+    CHECK(falls.status == 3);
+    CHECK_THAT(falls.err, Catch::Contains("'ball' would be accelerated by 9.81 m/s² and 0 rad/s²"));
+}
+
 TEST_CASE("rest finds an unstable equilibrium only where it is asked for, or starts there", "[app][rest]") {
     CHECK(rest_of({kPendulum, "--nearest"})["failure"].is_null());
     const std::string loop = lesson_path("dynamics/four-bar-1.toml");

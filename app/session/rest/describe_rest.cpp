@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/quantity_text.hpp"
@@ -25,19 +26,41 @@ Vec3 without_rounding(const Vec3& v, double size) {
     return v.unaryExpr([&](double value) { return without_rounding(value, size); });
 }
 
-std::string value_cell(const Quantity& quantity, const QuantityValue& value) {
-    const Absence absence = value.absences[0];
-    return absence == Absence::none
-               ? number_text(without_rounding(value.value(), 1.0) * factor_of_unit(quantity), 6)
-               : absence_text(absence);
+/// Largest force of a reaction, and torques divided by the extent [N].
+double largest_reaction(const RestView& view) {
+    double largest = 0.0;
+    for (const Reaction& reaction : view.instant.reactions().reactions) {
+        const Wrench& wrench = reaction.wrench;
+        largest = std::max({largest, wrench.force.norm(), wrench.torque.norm() / extent(*view.mechanism)});
+    }
+    return largest;
+}
+
+/// Below this times kRounding, a quantity is rounding.
+double size_of(const Quantity& quantity, const RestView& view) {
+    switch (dimension_of(quantity).unit) {
+        case Unit::radian: return 1.0;
+        case Unit::metre: return extent(*view.mechanism);
+        case Unit::newton: return largest_reaction(view);
+        case Unit::newton_metre: return largest_reaction(view) * extent(*view.mechanism);
+        case Unit::none:
+        case Unit::joule: break;
+    }
+    return 0.0;
+}
+
+std::string value_cell(const Quantity& quantity, const RestView& view) {
+    const QuantityValue value = evaluate(quantity, view.instant, 0);
+    if (value.absences[0] != Absence::none) { return absence_text(value.absences[0]); }
+    return number_text(
+        without_rounding(value.value(), size_of(quantity, view)) * factor_of_unit(quantity), 6);
 }
 
 std::string quantities_text(const RestView& view) {
     TextRows table{{tr("quantity"), tr("value"), ""}};
     for (const NamedQuantity& named : view.quantities) {
         table.push_back(
-            {name_of(named.quantity, 0, *view.mechanism),
-             value_cell(named.quantity, evaluate(named.quantity, view.instant, 0)),
+            {name_of(named.quantity, 0, *view.mechanism), value_cell(named.quantity, view),
              unit_text(named.quantity, 0)});
     }
     return text_table(table, columns_of_numbers(3, 2));
@@ -51,11 +74,7 @@ const std::string& owner_of(const Reaction& reaction, const Mechanism& mechanism
 std::string reactions_text(const RestView& view) {
     TextRows table{{tr("joint or driver"), tr("force [N]"), tr("torque [N m]"), ""}};
     const double length = extent(*view.mechanism);
-    double largest = 0.0;
-    for (const Reaction& reaction : view.instant.reactions().reactions) {
-        const Wrench& wrench = reaction.wrench;
-        largest = std::max({largest, wrench.force.norm(), wrench.torque.norm() / length});
-    }
+    const double largest = largest_reaction(view);
     for (const Reaction& reaction : view.instant.reactions().reactions) {
         table.push_back(
             {owner_of(reaction, *view.mechanism),
@@ -68,6 +87,13 @@ std::string reactions_text(const RestView& view) {
            '\n' + text_table(table, columns_of_numbers(4, 2));
 }
 
+/// "hinge.angle", or "top about z" for a rotation.
+std::string name_of_movement(const NamedQuantity& named, const Mechanism& mechanism) {
+    const auto* rotation = std::get_if<AngularVelocityQuantity>(&named.quantity);
+    if (rotation == nullptr) { return name_of(named.quantity, 0, mechanism); }
+    return tr("{0} about {1}", mechanism.bodies[at(rotation->body)].name, axis_name(rotation->component));
+}
+
 /// "hinge.angle 1 rad, knee.angle -1.414 rad"
 std::string joints_text(const std::vector<ModeOfJoint>& joints, const Mechanism& mechanism) {
     std::string text;
@@ -76,7 +102,7 @@ std::string joints_text(const std::vector<ModeOfJoint>& joints, const Mechanism&
         if (std::abs(amplitude) < kTooLittle) { break; }
         const bool in_phase = std::abs(amplitude.imag()) < kTooLittle * std::abs(amplitude);
         const double size = in_phase ? amplitude.real() : std::abs(amplitude);
-        text += (text.empty() ? "" : ", ") + name_of(named.quantity, 0, mechanism) + ' ' + number_text(size) +
+        text += (text.empty() ? "" : ", ") + name_of_movement(named, mechanism) + ' ' + number_text(size) +
                 ' ' + std::string(symbol_of(dimension_of(named.quantity).unit));
         if (!in_phase) { text += ' ' + tr("at {0}°", number_text(std::arg(amplitude) * kDegreesPerRadian)); }
     }
@@ -171,7 +197,7 @@ std::string describe(const RestView& view) {
         tr("Equilibrium, {0} steps from the start pose. Drivers and loads stand still as at t = 0.",
            view.outcome.steps);
     std::string verdict = stability_text(view.outcome);
-    if (view.outcome.motions.stability == Stability::unstable && view.outcome.steps == 0) {
+    if (view.outcome.motions.stability == Stability::unstable && view.seek == Seek::where_it_rests) {
         verdict +=
             std::string(" ") + tr("It starts exactly there: start beside it to see where it comes to rest.");
     }
@@ -190,6 +216,7 @@ Json json_of(const RestView& view, const Lesson& lesson) {
         {"freedoms", outcome.freedoms},
         {"residual", number(outcome.residual)},
         {"stability", is_found ? Json(word_of(outcome.motions.stability)) : Json()},
+        {"singular", is_found ? Json(outcome.motions.is_singular) : Json()},
         {"conservative", is_found ? Json(outcome.motions.is_conservative) : Json()},
         {"damped", is_found ? Json(outcome.motions.is_damped) : Json()},
         {"bodies", json_of(*view.mechanism, view.instant.state, view.instant.velocity)},

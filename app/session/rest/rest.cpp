@@ -38,6 +38,39 @@ MeasureQuantity held_measure(const std::string& name, const Mechanism& mechanism
         expected);
 }
 
+/// Fails if something prescribes a measure already.
+void check_not_driven(const std::string& name, const MeasureQuantity& q, const Mechanism& mechanism) {
+    // the angle of a screw determines its displacement
+    const bool is_one = mechanism.joints[at(q.joint)].type->artificial > 0;
+    for (const Driver& driver : mechanism.drivers) {
+        if (driver.joint != q.joint || (!is_one && driver.measure.index() != q.measure.index())) { continue; }
+        throw std::invalid_argument(
+            "--hold '" + name + "': '" + driver.name +
+            "' prescribes it already; expected a joint that is neither driven nor held");
+    }
+}
+
+/// The mechanism with the joints and drivers that take part: of one that was taken out, no equation is left.
+Mechanism taking_part(const Lesson& lesson) {
+    Mechanism mechanism = lesson.mechanism;
+    const Selection selection = selection_of(lesson, static_cast<int>(lesson.order.size()));
+    for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+        if (std::ranges::find(selection.joints, static_cast<int>(j)) != selection.joints.end()) { continue; }
+        Joint& joint = mechanism.joints[j];
+        for (const Role role : joint.type->roles) {
+            for (int k = 0; k < equations_of(joint, role); ++k) { joint.without.push_back({role, k}); }
+        }
+    }
+    std::vector<Driver> drivers;
+    for (std::size_t d = 0; d < mechanism.drivers.size(); ++d) {
+        if (std::ranges::find(selection.drivers, static_cast<int>(d)) != selection.drivers.end()) {
+            drivers.push_back(mechanism.drivers[d]);
+        }
+    }
+    mechanism.drivers = std::move(drivers);
+    return mechanism;
+}
+
 /// Adds drivers that keep what is held at its value in a state.
 Mechanism with_held(Mechanism mechanism, const std::vector<std::string>& held, const State& state) {
     const Mechanism before = mechanism;
@@ -45,6 +78,7 @@ Mechanism with_held(Mechanism mechanism, const std::vector<std::string>& held, c
     const std::vector<int> thetas = before.theta_indices();
     for (const std::string& name : held) {
         const MeasureQuantity q = held_measure(name, before);
+        check_not_driven(name, q, mechanism);
         const int theta = thetas[at(q.joint)];
         const double value = evaluate_measure(q.measure, q.body_i, q.body_j, theta, state, none, none).value;
         mechanism.drivers.push_back(
@@ -125,9 +159,14 @@ std::string push_text(const RestView& view) {
     for (std::size_t b = 0; b < a.r_dot.size(); ++b) {
         if (size(b) > size(most)) { most = b; }
     }
+    // what is rounding beside the other
+    constexpr double rounding = 1e-9;
+    const double along = a.r_dot[most].norm();
+    const double about = a.omega_local[most].norm();
     return tr(
         "There, '{0}' would be accelerated by {1} m/s² and {2} rad/s².", view.mechanism->bodies[most].name,
-        number_text(a.r_dot[most].norm()), number_text(a.omega_local[most].norm()));
+        number_text(along > rounding * about * length ? along : 0.0),
+        number_text(about * length > rounding * along ? about : 0.0));
 }
 
 std::string failure_text(const RestView& view) {
@@ -135,20 +174,26 @@ std::string failure_text(const RestView& view) {
     const int steps = view.outcome.steps;
     switch (view.outcome.failure) {
         case Failure::none: return {};
+        case Failure::endless:
+            return tr("No equilibrium was found in {0} steps: the forces push on and do not change. Nothing "
+                      "holds the mechanism in their direction.",
+                      steps) +
+                   " " + push_text(view);
         case Failure::too_many_steps:
-            return tr("No equilibrium was found in {0} steps: the forces push on and on. Nothing may hold "
-                      "the mechanism in their direction.",
+            return tr("No equilibrium was found in {0} steps: it is far from the start, or only short steps "
+                      "are proved to stay on the branch. Start nearer to it.",
                       steps) +
                    " " + push_text(view);
         case Failure::no_step:
             return tr("The search ended after {0} steps: no step along the forces is proved to stay on the "
-                      "branch. Branches may meet there.",
+                      "branch. Where branches meet, as in a flat parallelogram, start on the other side.",
                       steps) +
                    " " + push_text(view);
         case Failure::no_descent: break;
     }
-    return tr("The search ended after {0} steps: no step decreases the forces. Start nearer to the "
-              "equilibrium.",
+    return tr("The search ended after {0} steps: no step decreases the forces. There may be no equilibrium, "
+              "or "
+              "it is far from the start.",
               steps) +
            " " + push_text(view);
 }
@@ -158,6 +203,10 @@ std::string failure_text(const RestView& view) {
 std::string stability_text(const RestOutcome& outcome) {
     const SmallMotions& motions = outcome.motions;
     if (outcome.freedoms == 0) { return tr("The mechanism has no freedom: its drivers hold it."); }
+    if (motions.is_singular) {
+        return tr(
+            "Not known whether it is stable: the pose is singular, with more freedoms than poses beside it.");
+    }
     switch (motions.stability) {
         case Stability::stable:
             return motions.is_conservative ? tr("Stable: the potential energy of the loads is least here.")
@@ -191,12 +240,15 @@ RestView find_rest(const Lesson& lesson, const RestRequest& request) {
     const State& assembled = story.steps().back().state;
 
     RestView view;
-    view.mechanism = std::make_shared<const Mechanism>(with_held(lesson.mechanism, request.held, assembled));
+    view.seek = request.seek;
+    view.mechanism =
+        std::make_shared<const Mechanism>(with_held(taking_part(lesson), request.held, assembled));
     auto scene = std::make_shared<const Centroidal>(centroidal(*view.mechanism, lesson.dynamics->loads));
     view.outcome = find_equilibrium(*scene, scene->to_centroidal(assembled), 0.0, request.seek);
     scene = std::make_shared<const Centroidal>(scene->mechanism, view.outcome.loads, scene->centres);
     Instant& instant = view.instant;
     instant.state = scene->as_given(view.outcome.state);
+    instant.turns = view.outcome.turns;
     instant.velocity = zero_motion(*view.mechanism);
     instant.acceleration = instant.velocity;
     instant.centroidal_acceleration = instant.velocity;

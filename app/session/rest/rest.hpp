@@ -27,6 +27,7 @@ struct ModeOfJoint {
 
 struct RestView {
     std::shared_ptr<const Mechanism> mechanism;  ///< with a driver for each joint that is held
+    Seek seek = Seek::where_it_rests;
     RestOutcome outcome;
     Instant instant;                        ///< the pose that was reached, at rest, in the frames as given
     std::vector<NamedQuantity> quantities;  ///< of joints, drivers and energy
