@@ -325,7 +325,7 @@ TEST_CASE("JSON tells what typed digits leave open about the rank", "[app][inspe
         CHECK(digits["share"] <= 1.0);
         CHECK(digits["misfit"] > 0.0);
     }
-    // the first joint alone repeats nothing
+    // the first joint alone has no redundant row
     CHECK(typed[1]["typed_digits"].is_null());
     for (const json& rank : ranks(door + "[precision]\nexact = true\n")) {
         CHECK(rank["typed_digits"].is_null());

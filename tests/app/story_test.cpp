@@ -68,8 +68,7 @@ TEST_CASE("a story goes from the bodies joint by joint over the drivers to the m
     CHECK(story.failure() == nullptr);
 }
 
-TEST_CASE(
-    "the last joint of a four-bar adds five equations of which three repeat the others", "[app][story]") {
+TEST_CASE("the last joint of a four-bar adds five equations of which three are redundant", "[app][story]") {
     const Lesson lesson = lesson_named("loops/four-bar");
     const Story story(lesson, no_motion());
     const std::vector<View> views = assembled_views(story);
@@ -80,9 +79,10 @@ TEST_CASE(
     CHECK(views[3].rank.rank == 17);
     CHECK(views[3].rank.rows == 20);
     CHECK(views[3].rank.redundant_rows.size() == 3);
-    CHECK(views[3].sentence.starts_with(
-        "Joint D adds 5 equations, the rank grows by 2 (15 → 17): three repeat what A, B and C already say. "
-        "1 freedom is left."));
+    CHECK(
+        views[3].sentence.starts_with("Joint D adds 5 equations, the rank grows by 2 (15 → 17): three are "
+                                      "redundant, implied by A, B and C. "
+                                      "1 freedom is left."));
     CHECK(views[4].rank.dof == 0);
     for (const std::string& label : views[3].rank.redundant_rows) { CHECK(label.starts_with("D · ")); }
 }
@@ -118,7 +118,7 @@ TEST_CASE(
 }
 
 TEST_CASE("before assembly a view says the rank here and the rank once assembled", "[app][story]") {
-    // at the start estimate all three rows of p1 are independent; at the solution one repeats the others
+    // at the start estimate all three rows of p1 are independent; at the solution one is redundant
     const Lesson lesson = lesson_named("parallel/parallel-vectors");
     const Story story(lesson, no_motion());
     int looked_at = 0;

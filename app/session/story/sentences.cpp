@@ -164,8 +164,8 @@ std::string closing_text(const Step& step) {
         "{0} Newton iterations closed it; the largest |Φ| left is {1}.", small_text(residual));
 }
 
-/// Owners of the equations that a redundant row repeats, in the order of addition.
-std::vector<std::string> repeated_owners(const System& system, const std::vector<RedundantRow>& redundant) {
+/// Owners of the equations that imply a redundant row, in the order of addition.
+std::vector<std::string> implying_owners(const System& system, const std::vector<RedundantRow>& redundant) {
     std::vector<std::string> owners;
     for (const RedundantRow& r : redundant) {
         const std::string self = row_owner(system, r.row);
@@ -184,25 +184,20 @@ std::string freedoms_text(int dof) {
     return tr_count(dof, "{0} freedom is left.", "{0} freedoms are left.");
 }
 
-/// "three repeat what A, B and C already say"
-std::string repetition_text(const System& system, const RankReport& rank, int repeating) {
-    const std::string number = number_word(repeating);
+/// "three are redundant, implied by A, B and C"
+std::string redundancy_text(const System& system, const RankReport& rank, int added) {
+    const std::string number = number_word(added);
     const bool empty =
         std::ranges::all_of(rank.redundant_rows, [](const RedundantRow& r) { return r.terms.empty(); });
-    if (empty) { return tr_count(repeating, "{1} says nothing here", "{1} say nothing here", number); }
-    const std::vector<std::string> owners = repeated_owners(system, rank.redundant_rows);
+    if (empty) { return tr_count(added, "{1} says nothing here", "{1} say nothing here", number); }
+    const std::vector<std::string> owners = implying_owners(system, rank.redundant_rows);
     if (owners.empty()) {
         return tr_count(
-            repeating, "{1} repeats the others of the same joint", "{1} repeat the others of the same joint",
-            number);
-    }
-    if (owners.size() == 1) {
-        return tr_count(
-            repeating, "{1} repeats what {2} already says", "{1} repeat what {2} already says", number,
-            owners.front());
+            added, "{1} is redundant beside the others of the joint",
+            "{1} are redundant beside the others of the joint", number);
     }
     return tr_count(
-        repeating, "{1} repeats what {2} already say", "{1} repeat what {2} already say", number,
+        added, "{1} is redundant, implied by {2}", "{1} are redundant, implied by {2}", number,
         owners.size() > kMostOwners ? tr("the equations before") : listed(owners));
 }
 
@@ -211,12 +206,12 @@ std::string assembled_sentence(
     const int before = step.rank_before ? step.rank_before->rank : 0;
     const int redundant_before = step.rank_before ? step.rank_before->redundant() : 0;
     const auto count = static_cast<int>(rows_of(*step.system, subject).size());
-    const int repeating = rank.redundant() - redundant_before;
+    const int redundant = rank.redundant() - redundant_before;
     const std::string equations = equations_count(count);
     const std::string name = subject_name(lesson, subject);
-    std::string text = repeating > 0 ? tr("{0} adds {1}, the rank grows by {2} ({3} → {4}): {5}.", name,
+    std::string text = redundant > 0 ? tr("{0} adds {1}, the rank grows by {2} ({3} → {4}): {5}.", name,
                                           equations, rank.rank - before, before, rank.rank,
-                                          repetition_text(*step.system, rank, repeating))
+                                          redundancy_text(*step.system, rank, redundant))
                                      : tr("{0} adds {1}, the rank grows by {2} ({3} → {4}).", name, equations,
                                           rank.rank - before, before, rank.rank);
     text = followed(followed(text, freedoms_text(rank.dof)), closing_text(step));

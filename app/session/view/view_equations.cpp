@@ -87,7 +87,7 @@ std::string reason_of(const RowChoice& choice, const ChoiceView& view) {
     switch (choice.form) {
         case ParallelForm::rule: return reason_of_rule(choice, view);
         case ParallelForm::all_three:
-            return tr("All three equations are kept on purpose: one of them repeats the other two.");
+            return tr("All three equations are kept on purpose: one of them is redundant.");
         case ParallelForm::pair:
             return tr(
                 "Two equations with vectors a and b perpendicular to sᵢ instead: their condition is {0} "

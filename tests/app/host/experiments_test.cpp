@@ -53,7 +53,7 @@ render::Projected on_screen(Person& person, const Vec3& point) {
 
 }  // namespace
 
-TEST_CASE("All three equations of p1 add one row, and that one repeats the others") {
+TEST_CASE("All three equations of p1 add one row, and that one is redundant") {
     Person person(kFourBar);
     go_to_closed(person, "A");
     const RankView before = person.view().rank;

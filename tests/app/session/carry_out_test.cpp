@@ -86,7 +86,7 @@ TEST_CASE("what an experiment is said to do it does, at the same pose", "[app][s
     }
 }
 
-TEST_CASE("an equation that costs no rank is one of those that repeat each other", "[app][session]") {
+TEST_CASE("an equation that costs no rank is redundant, or implies one that is", "[app][session]") {
     Session session(without_motion(lesson_named("loops/four-bar")));
     session.apply(GoTo{session.story().last_assembled()});
     const PossibleExperiments all = possible_experiments_of(session);
