@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -36,6 +37,36 @@ TEST_CASE("simulate gives a table whose end is the reference", "[app][dynamics]"
     CHECK(row[1].get<double>() == Approx(-0.295850422283221).margin(1e-8));
     CHECK(row[2].get<double>() == Approx(-0.955234278925772).margin(1e-8));
     CHECK(json["failure"].is_null());
+}
+
+TEST_CASE("simulate moves without the joints and drivers that were taken out", "[app][dynamics]") {
+    const auto end_of = [](const std::vector<std::string>& arguments, const std::string& column) {
+        const Ran ran = run(arguments);
+        INFO(ran.err);
+        REQUIRE(ran.status == 0);
+        const auto json = nlohmann::json::parse(ran.out);
+        const auto& names = json["columns"];
+        const auto place = std::ranges::find(names, nlohmann::json(column)) - names.begin();
+        return json["rows"].back()[static_cast<std::size_t>(place)].get<double>();
+    };
+    const std::vector<std::string> how{"--duration", "0.5", "--samples", "1", "--format", "json"};
+    const auto simulated = [&](const std::string& lesson, const std::string& experiment) {
+        std::vector<std::string> arguments{"simulate", lesson};
+        if (!experiment.empty()) { arguments.insert(arguments.end(), {"--try", experiment}); }
+        arguments.insert(arguments.end(), how.begin(), how.end());
+        return end_of(arguments, "ball.y");
+    };
+    CHECK(simulated(kPendulum, "take out pin") == Approx(-0.5 * 9.81 * 0.25));
+    const Folder folder;
+    const std::string driver =
+        "\n[[driver]]\nname = \"motor\"\njoint = \"pin\"\nquantity = \"angle\"\n"
+        "polynomial_deg = [0, 90]\n";
+    const std::string driven = folder.file("driven.toml", bytes_of(kPendulum) + driver);
+    CHECK(simulated(driven, "") == Approx(-std::sin(0.25 * std::numbers::pi)));
+    // without its motor it is the pendulum again
+    const double free = simulated(kPendulum, "");
+    CHECK(std::abs(free + std::sin(0.25 * std::numbers::pi)) > 0.1);
+    CHECK(simulated(driven, "take out motor") == Approx(free));
 }
 
 TEST_CASE(

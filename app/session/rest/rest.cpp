@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "app/session/story/dynamics_run.hpp"
 #include "app/session/view/inspection.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -50,24 +51,10 @@ void check_not_driven(const std::string& name, const MeasureQuantity& q, const M
     }
 }
 
-/// The mechanism with the joints and drivers that take part: of one that was taken out, no equation is left.
-Mechanism taking_part(const Lesson& lesson) {
-    Mechanism mechanism = lesson.mechanism;
-    const Selection selection = selection_of(lesson, static_cast<int>(lesson.order.size()));
-    for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
-        if (std::ranges::find(selection.joints, static_cast<int>(j)) != selection.joints.end()) { continue; }
-        Joint& joint = mechanism.joints[j];
-        for (const Role role : joint.type->roles) {
-            for (int k = 0; k < equations_of(joint, role); ++k) { joint.without.push_back({role, k}); }
-        }
-    }
-    std::vector<Driver> drivers;
-    for (std::size_t d = 0; d < mechanism.drivers.size(); ++d) {
-        if (std::ranges::find(selection.drivers, static_cast<int>(d)) != selection.drivers.end()) {
-            drivers.push_back(mechanism.drivers[d]);
-        }
-    }
-    mechanism.drivers = std::move(drivers);
+/// The mechanism without drivers that were taken out.
+Mechanism added_of(const Lesson& lesson) {
+    Mechanism mechanism = taking_part(lesson);
+    std::erase_if(mechanism.drivers, [](const Driver& driver) { return driver.body_i == driver.body_j; });
     return mechanism;
 }
 
@@ -241,8 +228,7 @@ RestView find_rest(const Lesson& lesson, const RestRequest& request) {
 
     RestView view;
     view.seek = request.seek;
-    view.mechanism =
-        std::make_shared<const Mechanism>(with_held(taking_part(lesson), request.held, assembled));
+    view.mechanism = std::make_shared<const Mechanism>(with_held(added_of(lesson), request.held, assembled));
     auto scene = std::make_shared<const Centroidal>(centroidal(*view.mechanism, lesson.dynamics->loads));
     view.outcome = find_equilibrium(*scene, scene->to_centroidal(assembled), 0.0, request.seek);
     scene = std::make_shared<const Centroidal>(scene->mechanism, view.outcome.loads, scene->centres);

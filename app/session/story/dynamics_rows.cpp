@@ -61,7 +61,7 @@ std::string instants_by_forces(
     settings.method = method.kind == MethodKind::radau ? plan.settings.method : Method::explicit_8;
     settings.tolerance = limits.tolerance;
     settings.most_steps = limits.most_steps;
-    Simulation simulation(lesson.mechanism, plan.loads, settings);
+    Simulation simulation(taking_part(lesson), plan.loads, settings);
     simulation.follow_angles();
     System system(lesson.mechanism, selection_of(lesson, static_cast<int>(lesson.order.size())));
     const SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {

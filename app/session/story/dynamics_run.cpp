@@ -301,6 +301,29 @@ std::size_t DynamicsTable::column_of(std::string_view name) const {
     return static_cast<std::size_t>(found - columns.begin());
 }
 
+Mechanism taking_part(const Lesson& lesson) {
+    Mechanism mechanism = lesson.mechanism;
+    const Selection added = selection_of(lesson, static_cast<int>(lesson.order.size()));
+    const auto is_out = [](const std::vector<int>& all, std::size_t index) {
+        return std::ranges::find(all, static_cast<int>(index)) == all.end();
+    };
+    for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+        if (!is_out(added.joints, j)) { continue; }
+        Joint& joint = mechanism.joints[j];
+        joint.geometry.angle_dot_start.reset();
+        joint.geometry.displacement_dot_start.reset();
+        for (const Role role : joint.type->roles) {
+            for (int k = 0; k < equations_of(joint, role); ++k) { joint.without.push_back({role, k}); }
+        }
+    }
+    for (std::size_t d = 0; d < mechanism.drivers.size(); ++d) {
+        if (!is_out(added.drivers, d)) { continue; }
+        const DisplacementMeasure nowhere{Vec3::UnitZ(), Vec3::Zero(), Vec3::Zero()};
+        mechanism.drivers[d] = {mechanism.drivers[d].name, -1, 0, 0, nowhere, {}};
+    }
+    return mechanism;
+}
+
 Mechanism placed_at(const Mechanism& mechanism, const State& state) {
     Mechanism placed = mechanism;
     for (std::size_t b = 0; b < placed.bodies.size(); ++b) {
@@ -314,7 +337,7 @@ namespace {
 
 /// One run by the method of `request`. @return whether the method gave way to an implicit one
 bool run_once(const Lesson& lesson, const DynamicsRequest& request, DynamicsTable& table) {
-    Simulation simulation(lesson.mechanism, lesson.dynamics->loads, request.settings);
+    Simulation simulation(taking_part(lesson), lesson.dynamics->loads, request.settings);
     DynamicsRows rows(lesson, request.quantities, simulation);
     table.columns = rows.columns();
     table.rows.clear();

@@ -31,7 +31,7 @@ public:
     MotionByForces(const Assembled& from, const MotionPlan& plan, const StoryOptions& options)
         : lesson_(&from.lesson),
           end_(plan.to),
-          assembled_(placed_at(from.lesson.mechanism, from.state)),
+          assembled_(placed_at(taking_part(from.lesson), from.state)),
           start_(from.state),
           settings_(settings_of(from.lesson)),
           simulation_(assembled_, from.lesson.dynamics->loads, settings_),

@@ -121,7 +121,7 @@ void simulate_to(const Lesson& lesson, const State& start, Inspection& inspectio
     }
     const DynamicsRequest request = request_of(lesson);
     const SimulationSettings settings = request.settings;
-    Simulation simulation(placed_at(lesson.mechanism, start), lesson.dynamics->loads, settings);
+    Simulation simulation(placed_at(taking_part(lesson), start), lesson.dynamics->loads, settings);
     // the same run as in `simulate` and in the story, whose steps end at the same times: the numbers are
     // equal to the last digit
     std::vector<double> times = equal_times(request.duration, request.samples);
