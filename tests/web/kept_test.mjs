@@ -90,7 +90,7 @@ test("Without a storage, or with one full of nonsense, the page begins, and says
     await v.open("#four-bar/12");
     await v.rest();
     equal((await v.state()).step, 11, "step without a storage");
-    check(await v.tab.evaluate(() => document.getElementById("toast").textContent.includes("keeps nothing more")), "nothing is said");
+    check(await v.tab.evaluate(() => document.getElementById("toast").textContent.includes("cannot store more")), "nothing is said");
     noFaults(v);
   });
   await alone(async (begin) => {
