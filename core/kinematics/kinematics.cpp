@@ -25,8 +25,7 @@ void Kinematics<C>::set_state(const State& state, double t) {
     least_squares_.compute(assembler_.sparse_jacobian());
     // the same threshold as for singular values: the pivot of a redundant row, and its contradiction, are
     // about as large as the position error
-    const VectorX& phi = assembler_.phi();
-    residual_ = phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
+    residual_ = scaling_.residual_of(assembler_.phi());
     position_error_ = residual_ <= kAssembledResidual ? kErrorFactor * residual_ : 0.0;
     rank_ = least_squares_.rank(std::max(kRankThreshold, position_error_));
 }

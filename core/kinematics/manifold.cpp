@@ -22,8 +22,6 @@ constexpr double kSufficient = 1e-4;  // Armijo, as in newton.cpp
 // 1, 1/4 ... 1/64 of a step; if corrections stay proportional to it, the pose is a corner
 constexpr int kMostAttempts = 4;
 constexpr double kShorter = 0.25;
-// quadratic convergence needs 4 from a good prediction
-constexpr int kMostCorrections = 8;
 // at a corner, the tangent does not belong to any branch: a solution near the prediction is accepted if it is
 // about as far from the start
 constexpr double kLargestCornerCorrection = 1.5;
@@ -94,20 +92,16 @@ void Dragger::factor(const State& state, LeastSquares& least_squares) {
 }
 
 /// Largest |Φ| in the assembler, scaled.
-double Dragger::residual() const {
-    const VectorX& phi = assembler_.phi();
-    return phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
-}
+double Dragger::residual() const { return scaling_.residual_of(assembler_.phi()); }
 
 /// Applies Newton's method to Φ from the tangent; the result is in `newton_` if it has converged.
 bool Dragger::correct(double fraction, DragOutcome& outcome) {
     step_ = fraction * direction_.cwiseProduct(scaling_.column);
     trial_ = state_;
     assembler_.layout().advance(trial_, step_);
-    newton_.start(trial_, t_);
-    for (int k = 0; k <= kMostCorrections && !newton_.outcome(); ++k) { newton_.step(); }
-    outcome.newton_iterations += newton_.outcome() ? newton_.outcome()->iterations : kMostCorrections;
-    return newton_.outcome() && newton_.outcome()->converged;
+    const bool converged = correct_prediction(newton_, trial_, t_);
+    outcome.newton_iterations += newton_.outcome() ? newton_.outcome()->iterations : kMostFromPrediction;
+    return converged;
 }
 
 /// Takes one step. @return its share of a whole step, 0 if no step brings the point nearer

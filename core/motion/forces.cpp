@@ -28,9 +28,7 @@ struct Stretch {
 };
 Stretch stretch_of(const Spring& spring, Bodies bodies) {
     const auto& i = bodies[at(spring.body_i)];
-    const auto& j = bodies[at(spring.body_j)];
-    const Vec3 d = j.r + j.A * spring.P_j_local - i.r - i.A * spring.P_i_local;
-    const Vec3 d_dot = j.r_dot + j.A_dot * spring.P_j_local - i.r_dot - i.A_dot * spring.P_i_local;
+    const auto [d, d_dot] = span_of(spring, bodies);
     Stretch out;
     out.end_i_local = spring.P_i_local;
     if (spring.s_i_local) {
@@ -104,6 +102,23 @@ std::vector<BodyKinematics<OmegaLocal>> kinematics_of(const State& state) {
         bodies.push_back(kinematics_at<OmegaLocal>(state.r[b], state.p[b]));
     }
     return bodies;
+}
+
+std::vector<BodyKinematics<OmegaLocal>> kinematics_of(const State& state, const Motion& motion) {
+    std::vector<BodyKinematics<OmegaLocal>> bodies;
+    for (std::size_t b = 0; b < state.r.size(); ++b) {
+        bodies.push_back(
+            kinematics_at<OmegaLocal>(state.r[b], state.p[b], motion.r_dot[b], motion.omega_local[b]));
+    }
+    return bodies;
+}
+
+SpringSpan span_of(const Spring& spring, Bodies bodies) {
+    const auto& i = bodies[at(spring.body_i)];
+    const auto& j = bodies[at(spring.body_j)];
+    return {
+        j.r + j.A * spring.P_j_local - i.r - i.A * spring.P_i_local,
+        j.r_dot + j.A_dot * spring.P_j_local - i.r_dot - i.A_dot * spring.P_i_local};
 }
 
 void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {

@@ -17,6 +17,15 @@ struct BodyForce {
 
 /// Kinematics of every body at a state, without motion.
 std::vector<BodyKinematics<OmegaLocal>> kinematics_of(const State& state);
+/// Kinematics of every body, with its motion.
+std::vector<BodyKinematics<OmegaLocal>> kinematics_of(const State& state, const Motion& motion);
+
+/// Vector from a spring's end on body i to its end on body j [m], global, and its rate [m/s].
+struct SpringSpan {
+    Vec3 d;
+    Vec3 d_dot;
+};
+SpringSpan span_of(const Spring& spring, std::span<const BodyKinematics<OmegaLocal>> bodies);
 
 /// Adds gravity, forces, torques, springs and dampers at time `t` [s]. Allocates nothing.
 /// @param loads centroidal, see Centroidal

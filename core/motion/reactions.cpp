@@ -26,8 +26,23 @@ constexpr double kRoundings = 1e5;
 /// M q̈ - Q of every moving body: forces, then torques about the centre of mass over ℓ, global.
 struct Needed {
     VectorX wrenches;
-    double size = 0.0;  ///< size of the terms whose difference this is
+    double size = 0.0;   ///< size of the terms whose difference this is
+    double sizes = 0.0;  ///< at least that of each load by itself
 };
+
+/// Sizes of weights and springs, each by itself.
+double sizes_by_themselves(const Situation& s, std::span<const BodyKinematics<OmegaLocal>> bodies) {
+    const Loads& loads = s.scene->loads;
+    double sum = 0.0;
+    for (const auto& mass : loads.masses) { sum += mass ? mass->mass * loads.gravity.norm() : 0.0; }
+    for (const Spring& spring : loads.springs) {
+        sum += spring.stiffness * (span_of(spring, bodies).d.norm() + std::abs(spring.free_length));
+    }
+    for (const RotationalSpring& spring : loads.rotational_springs) {
+        sum += spring.stiffness * (std::abs(spring.twist_before) + std::abs(spring.free_angle)) / s.length;
+    }
+    return sum;
+}
 Needed needed_wrenches(const Situation& s, const Motion& velocity, const Motion& acceleration) {
     const Loads& loads = s.scene->loads;
     std::vector<BodyKinematics<OmegaLocal>> bodies(s.bodies.size());
@@ -52,7 +67,8 @@ Needed needed_wrenches(const Situation& s, const Motion& velocity, const Motion&
             A * (m.J_local * acceleration.omega_local[b]);
         applied.segment<6>(first) << forces[b].f, A * n_local;
     }
-    return {inertia - applied, inertia.norm() + applied.norm()};
+    const double size = inertia.norm() + applied.norm();
+    return {inertia - applied, size, size + sizes_by_themselves(s, bodies)};
 }
 
 Mat3 axes_along(const Vec3& direction) {
@@ -181,7 +197,9 @@ Reactions find_reactions(
     const Needed needed = needed_wrenches(situation, velocity, acceleration);
     const MatrixX answers = bracing.answers(needed.wrenches);
     const VectorX smallest = answers.col(0);
-    Reactions out{bracing.reactions(), {}, bracing.residual(smallest, needed), bracing.bound()};
+    const double residual = bracing.residual(smallest, needed);
+    const double of_loads = needed.sizes > 0.0 ? residual * (needed.size / needed.sizes) : 0.0;
+    Reactions out{bracing.reactions(), {}, residual, of_loads, bracing.bound()};
     out.family.resize(at(static_cast<int>(answers.cols())) - 1);
     for (std::size_t n = 0; n < out.reactions.size(); ++n) {
         Reaction& reaction = out.reactions[n];

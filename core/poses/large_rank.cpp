@@ -68,7 +68,7 @@ RankReport analyse_large_rank(const System& system, const SparseRows& jacobian, 
     report.mobility_by_counting = report.columns - equations_promised(system);
     if (report.rows == 0) { return report; }
     const Scaling scaling = scaling_of<OmegaLocal>(system);
-    report.residual = phi.cwiseQuotient(scaling.row).cwiseAbs().maxCoeff();
+    report.residual = scaling.residual_of(phi);
     report.assembled = report.residual <= kAssembledResidual;
     const double error = report.assembled ? kErrorFactor * report.residual : 0.0;
     const SparseRank found = sparse_rank_of(

@@ -16,6 +16,11 @@ namespace jw {
 struct Scaling {
     VectorX row;     ///< one per row
     VectorX column;  ///< one per column
+
+    /// Largest |Φ| divided by the size of its row; 0 without rows.
+    double residual_of(const VectorX& phi) const {
+        return phi.size() == 0 ? 0.0 : phi.cwiseQuotient(row).cwiseAbs().maxCoeff();
+    }
 };
 template <class C>
 Scaling scaling_of(const System& system, bool normalisation_rows = true);

@@ -239,7 +239,7 @@ RankReport analyse_rank(
 
     const MatrixX scaled = scaling.row.cwiseInverse().asDiagonal() * jacobian * scaling.column.asDiagonal();
     const Svd svd = svd_of(scaled);
-    report.residual = phi.cwiseQuotient(scaling.row).cwiseAbs().maxCoeff();
+    report.residual = scaling.residual_of(phi);
     report.assembled = report.residual <= kAssembledResidual;
 
     judge(report, svd);

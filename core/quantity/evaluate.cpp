@@ -260,7 +260,7 @@ const Reaction* Evaluation::reaction_of(int joint, int driver, Absence& why) con
         why = Absence::no_masses;
     } else if (!instant_->acceleration && !instant_->centroidal_acceleration) {
         why = Absence::no_acceleration;
-    } else if (instant_->reactions().residual > kNoMotion) {
+    } else if (instant_->reactions().residual_of_loads > kNoMotion) {
         why = Absence::no_motion_of_it;
     } else {
         why = Absence::not_there;

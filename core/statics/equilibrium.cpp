@@ -31,7 +31,6 @@ constexpr double kSufficient = 1e-4;
 constexpr int kMostDoublings = 100;
 // of the last μ: near it, the next one is found in a few doublings
 constexpr double kShareOfLast = 0.125;
-constexpr int kMostCorrections = 8;
 // steps that the proof rejects, each half as long as the one before, until it is asked whether rounding hides
 // the branch
 constexpr int kRejectedUntilAsked = 4;
@@ -188,10 +187,7 @@ private:
 
     /// Applies Newton's method to Φ from the tangent; the result is in `newton_`.
     bool correct(const State& prediction) {
-        newton_.start(prediction, t_);
-        for (int k = 0; k <= kMostCorrections && !newton_.outcome(); ++k) { newton_.step(); }
-        return newton_.outcome() && newton_.outcome()->converged &&
-               is_meant(system_, newton_.state(), sides_);
+        return correct_prediction(newton_, prediction, t_) && is_meant(system_, newton_.state(), sides_);
     }
 
     /// Takes the longest part of a whole step that keeps what it promises to first order, and stays on the

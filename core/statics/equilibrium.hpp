@@ -8,7 +8,7 @@
 /// Statics: poses at which a mechanism stays at rest under its loads.
 namespace jw {
 
-/// Which equilibrium is looked for.
+/// Kind of equilibrium that is looked for.
 enum class Seek {
     where_it_rests,  ///< the forces push the mechanism from the start to it: not an unstable one
     nearest,         ///< the one to which Newton's method leads from the start, stable or not

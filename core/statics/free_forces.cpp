@@ -4,7 +4,7 @@
 #include <numeric>
 #include <random>
 
-#include "core/jets/body_kinematics.hpp"
+#include "core/kinematics/manifold.hpp"
 #include "core/motion/forces.hpp"
 #include "core/poses/branches.hpp"
 #include "core/poses/rank.hpp"
@@ -41,8 +41,8 @@ FreeForces::FreeForces(const Centroidal& scene, const System& system, double t)
       length_(extent(system.mechanism())),
       assembler_(system),
       beside_(system),
-      least_squares_(scaling_of<OmegaLocal>(system)),
-      scaling_(scaling_of<OmegaLocal>(system)) {}
+      scaling_(scaling_of<OmegaLocal>(system)),
+      least_squares_(scaling_) {}
 
 /// M times columns, without θ, which has no mass.
 VectorX FreeForces::mass_times(const VectorX& columns) const {
@@ -57,13 +57,7 @@ VectorX FreeForces::mass_times(const VectorX& columns) const {
 }
 
 VectorX FreeForces::force_at(const State& state, const Motion* velocity) const {
-    std::vector<BodyKinematics<OmegaLocal>> bodies = kinematics_of(state);
-    if (velocity != nullptr) {
-        for (std::size_t b = 0; b < bodies.size(); ++b) {
-            bodies[b] = kinematics_at<OmegaLocal>(
-                state.r[b], state.p[b], velocity->r_dot[b], velocity->omega_local[b]);
-        }
-    }
+    const auto bodies = velocity == nullptr ? kinematics_of(state) : kinematics_of(state, *velocity);
     std::vector<BodyForce> forces(bodies.size());
     add_forces(loads_, bodies, t_, forces);
     VectorX out = VectorX::Zero(layout().columns());
@@ -71,10 +65,6 @@ VectorX FreeForces::force_at(const State& state, const Motion* velocity) const {
         out.segment<6>(system_->body_column(body, 3)) << forces[at(body)].f, forces[at(body)].n_local;
     }
     return out;
-}
-
-Vec3 FreeForces::end_of(int body, const Vec3& P_local) const {
-    return state_.r[at(body)] + rotation_matrix(state_.p[at(body)]) * P_local;
 }
 
 /// Adds up what each load and the reactions do by themselves: those that cancel each other leave rounding of
@@ -107,9 +97,9 @@ void FreeForces::measure_loads() {
     measure_each(&Loads::torques);
     loads_ = all;
     // of a spring, its length and its free length are subtracted from each other
+    const auto bodies = kinematics_of(state_);
     for (const Spring& spring : all.springs) {
-        const double length =
-            (end_of(spring.body_j, spring.P_j_local) - end_of(spring.body_i, spring.P_i_local)).norm();
+        const double length = span_of(spring, bodies).d.norm();
         const double size = length_ * spring.stiffness * (length + std::abs(spring.free_length));
         sizes_[at(spring.body_i)] += size;
         sizes_[at(spring.body_j)] += size;
@@ -175,11 +165,9 @@ void FreeForces::set(const State& state) {
     state_ = state;
     assembler_.assemble_phi_and_jacobian(state_, t_);
     least_squares_.compute(assembler_.sparse_jacobian());
-    const VectorX& phi = assembler_.phi();
-    const double residual = phi.size() == 0 ? 0.0 : phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff();
-    rank_ = least_squares_.rank(std::max(kRankThreshold, kErrorFactor * residual));
+    rank_ = rank_of_all(least_squares_, scaling_.residual_of(assembler_.phi()));
     unbalanced_ = force_at(state_);
-    lambda_ = VectorX::Zero(phi.size());
+    lambda_ = VectorX::Zero(assembler_.phi().size());
     if (rank_ == 0) { return; }
     least_squares_.solve_transposed(-unbalanced_, rank_, lambda_);
     unbalanced_ += assembler_.sparse_jacobian().transposed_times(lambda_);
@@ -237,18 +225,12 @@ double FreeForces::stiffness_of_sizes(const VectorX& columns) const {
 /// part of its length, on which the direction of its force depends.
 double FreeForces::step_along(const VectorX& columns) const {
     double largest = movement(columns);
-    const Motion motion = layout().motion_of(state_, columns);
-    const auto velocity = [&](int body, const Vec3& P_local) {
-        const Vec3 turning = motion.omega_local[at(body)].cross(P_local);
-        return Vec3(motion.r_dot[at(body)] + rotation_matrix(state_.p[at(body)]) * turning);
-    };
+    const auto bodies = kinematics_of(state_, layout().motion_of(state_, columns));
     for (const Spring& spring : loads_.springs) {
         // the force of other springs is linear in their ends
         if (spring.s_i_local || spring.free_length == 0.0) { continue; }
-        const Vec3 d = end_of(spring.body_j, spring.P_j_local) - end_of(spring.body_i, spring.P_i_local);
-        const Vec3 d_dot =
-            velocity(spring.body_j, spring.P_j_local) - velocity(spring.body_i, spring.P_i_local);
-        largest = std::max(largest, d_dot.norm() / std::max(d.norm(), kShortestSpring * length_));
+        const SpringSpan span = span_of(spring, bodies);
+        largest = std::max(largest, span.d_dot.norm() / std::max(span.d.norm(), kShortestSpring * length_));
     }
     return kStep / largest;
 }

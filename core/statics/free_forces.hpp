@@ -59,8 +59,6 @@ private:
     void measure_loads();
     /// Movement of a body in columns, as in `movement`.
     double movement_of(int body, const VectorX& columns) const;
-    /// Point of a body, global [m].
-    Vec3 end_of(int body, const Vec3& P_local) const;
     double step_along(const VectorX& columns) const;
     bool moves_theta_alone();
 
@@ -70,8 +68,8 @@ private:
     double length_;
     Assembler<OmegaLocal> assembler_;
     Assembler<OmegaLocal> beside_;  ///< at the poses around
-    LeastSquares least_squares_;
     Scaling scaling_;
+    LeastSquares least_squares_;
     State state_;
     int rank_ = 0;
     MatrixX free_;

@@ -33,7 +33,7 @@ Loads masses_of(test::Random& random, const Mechanism& mechanism) {
     return loads;
 }
 
-/// What a simulation begins with.
+/// Snapshot at the start of a simulation.
 Snapshot start_of(const Mechanism& mechanism, const Loads& loads) {
     Simulation simulation(mechanism, loads, {});
     Snapshot start;

@@ -3,7 +3,7 @@
 #include "core/statics/equilibrium.hpp"
 #include "tests/support/random_dynamics.hpp"
 
-/// What tests of equilibria share.
+/// Scenes and searches that tests of equilibria share.
 namespace jw::test {
 
 inline constexpr double kG = 9.81;
