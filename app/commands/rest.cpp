@@ -3,7 +3,9 @@
 #include "app/commands/options/experiment_option.hpp"
 #include "app/commands/options/format_option.hpp"
 #include "app/commands/program/commands.hpp"
-#include "app/session/rest/describe_rest.hpp"
+#include "app/session/output/describe.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/rest/rest.hpp"
 
 namespace jw {
 

@@ -5,6 +5,7 @@
 
 #include "app/exercises/kinds.hpp"
 #include "app/exercises/read_output.hpp"
+#include "app/session/story/taking_part.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/formula/symbol.hpp"
@@ -48,10 +49,7 @@ Instant hard_instant(std::shared_ptr<const System> system, unsigned seed, std::s
 std::vector<CodeCase> cases_of(const Task& task, KnownMistakes mistakes) {
     const Lesson& lesson = task.variant.lesson;
     const auto system = std::make_shared<const System>(lesson.mechanism, everything(lesson.mechanism));
-    std::shared_ptr<const Centroidal> scene;
-    if (lesson.dynamics) {
-        scene = std::make_shared<const Centroidal>(centroidal(lesson.mechanism, lesson.dynamics->loads));
-    }
+    const std::shared_ptr<const Centroidal> scene = scene_of(lesson);
     std::vector<CodeCase> cases;
     const auto seed = static_cast<unsigned>(task.variant.seed & 0x3FFFFFFFU);
     for (int k = 0; k < task.exercise().cases; ++k) {

@@ -18,6 +18,7 @@ inline constexpr std::array kMoment{
     Key{"after", KeyKind::text, "when: this joint or driver has been added"},
     Key{"at_s", KeyKind::number, "when: a time of the motion [s]"},
     one_of("of", "which motion 'at_s' is a time of", motions_of_time),
+    Key{"at_rest", KeyKind::flag, "when: the equilibrium to which the forces lead"},
     Key{"as_given", KeyKind::flag, "when: the start pose, nothing assembled"},
     Key{"any_state", KeyKind::flag, "when: random states; for formulas"}};
 

@@ -35,7 +35,11 @@ struct AtTime {
 struct AnyState {
     bool operator==(const AnyState&) const = default;
 };
-using Moment = std::variant<AsGiven, AfterAddition, AtTime, AnyState>;
+/// At the equilibrium to which the forces lead from the assembled pose; drivers and loads are those of t = 0.
+struct AtRest {
+    bool operator==(const AtRest&) const = default;
+};
+using Moment = std::variant<AsGiven, AfterAddition, AtTime, AnyState, AtRest>;
 
 enum class Count { rank, rows, columns, dof, redundant, mobility_by_counting };
 
@@ -57,6 +61,7 @@ struct BoundClaim {
 enum class Verdict {
     change_point,  ///< the pose is singular: the rank is lower than in poses around it
     closes,        ///< Newton-Raphson finds a pose that satisfies all equations
+    stable,        ///< an equilibrium to which small motions return
 };
 struct VerdictClaim {
     Verdict verdict = Verdict::closes;

@@ -106,6 +106,7 @@ inline constexpr std::array kBounds{
     EnumWord<Bound>{Bound::condition_below, "condition_below"},
     EnumWord<Bound>{Bound::condition_above, "condition_above"}};
 inline constexpr std::array kVerdicts{
-    EnumWord<Verdict>{Verdict::change_point, "change_point"}, EnumWord<Verdict>{Verdict::closes, "closes"}};
+    EnumWord<Verdict>{Verdict::change_point, "change_point"}, EnumWord<Verdict>{Verdict::closes, "closes"},
+    EnumWord<Verdict>{Verdict::stable, "stable"}};
 
 }  // namespace jw

@@ -32,8 +32,15 @@ std::optional<Moment> read_time(Fields& fields, const Lesson& lesson) {
     return AtTime{t->value, by_forces};
 }
 
+std::optional<Moment> at_rest(Fields& fields, const Lesson& lesson, SourceSpan span) {
+    if (lesson.dynamics) { return AtRest{}; }
+    fields.problems().add(
+        Code::no_motion, span, "no forces lead to an equilibrium; expected masses and a table [dynamics]");
+    return std::nullopt;
+}
+
 std::optional<Moment> read_moment(Fields& fields, const Reading& reading) {
-    if (!fields.at_most_one({"after", "at_s", "as_given", "any_state"})) { return std::nullopt; }
+    if (!fields.at_most_one({"after", "at_s", "at_rest", "as_given", "any_state"})) { return std::nullopt; }
     if (fields.has("at_s")) { return read_time(fields, reading.lesson); }
     const AfterAddition everything{static_cast<int>(reading.lesson.order.size())};
     if (fields.has("after")) {
@@ -42,6 +49,8 @@ std::optional<Moment> read_moment(Fields& fields, const Reading& reading) {
         if (named == nullptr) { return std::nullopt; }
         return AfterAddition{reading.place_of(*named) + 1};
     }
+    const auto rest = fields.flag("at_rest");
+    if (rest && rest->value) { return at_rest(fields, reading.lesson, rest->span); }
     const auto given = fields.flag("as_given");
     if (given && given->value) { return AsGiven{}; }
     const auto any = fields.flag("any_state");
@@ -57,7 +66,7 @@ void read_counts(Fields& fields, Facts& facts) {
     }
 }
 
-void read_bounds_and_verdicts(Fields& fields, Facts& facts) {
+void read_bounds_and_verdicts(Fields& fields, const std::optional<Moment>& when, Facts& facts) {
     for (const EnumWord<Bound>& bound : kBounds) {
         if (const auto value = fields.positive(bound.word)) {
             facts.emplace_back(BoundClaim{bound.value, value->value}, value->span);
@@ -65,6 +74,17 @@ void read_bounds_and_verdicts(Fields& fields, Facts& facts) {
     }
     for (const EnumWord<Verdict>& verdict : kVerdicts) {
         if (const auto value = fields.flag(verdict.word)) {
+            const bool is_at_rest = when && std::holds_alternative<AtRest>(*when);
+            if (verdict.value == Verdict::closes && is_at_rest) {
+                fields.problems().add(
+                    Code::no_motion, value->span,
+                    "an equilibrium closes; expected another moment for 'closes', or 'stable'");
+            }
+            if (verdict.value == Verdict::stable && when && !is_at_rest) {
+                fields.problems().add(
+                    Code::no_motion, value->span,
+                    "only an equilibrium is stable or not; expected 'at_rest = true' beside 'stable'");
+            }
             facts.emplace_back(VerdictClaim{verdict.value, value->value}, value->span);
         }
     }
@@ -147,14 +167,17 @@ int read_derivative(
     if (is_rate && !moves) {
         fields.problems().add(
             Code::rate_at_rest, derivative ? derivative->span : name,
-            std::string("nothing moves before the motion; expected 'at_s' beside ") +
-                (derivative ? "'derivative'" : "a rate"));
+            std::string(
+                when && std::holds_alternative<AtRest>(*when) ? "nothing moves at rest"
+                                                              : "nothing moves before the motion") +
+                "; expected 'at_s' beside " + (derivative ? "'derivative'" : "a rate"));
     }
     const bool of_forces =
         of && needs_masses(of->quantity) && !std::holds_alternative<EnergyQuantity>(of->quantity);
-    if (of_forces && !moves) {
+    if (of_forces && !moves && !std::holds_alternative<AtRest>(*when)) {
         fields.problems().add(
-            Code::rate_at_rest, name, "reactions belong to a motion; expected 'at_s' beside them");
+            Code::rate_at_rest, name,
+            "reactions belong to a motion or an equilibrium; expected 'at_s' or 'at_rest' beside them");
     }
     return derivative ? derivative->value : 0;
 }
@@ -188,7 +211,7 @@ void read_claim(Fields& fields, Reading& reading) {
     const auto why = fields.words("why", Audience::authors);
     Facts facts;
     read_counts(fields, facts);
-    read_bounds_and_verdicts(fields, facts);
+    read_bounds_and_verdicts(fields, when, facts);
     read_dropped(fields, reading, when, facts);
     read_measured(fields, reading, when, facts);
     const bool only_formulas = facts.empty();

@@ -38,6 +38,7 @@ void write_moment(const Moment& when, const Written& written, Lines& lines) {
         Overloaded{
             [&](const AsGiven&) { lines.key("as_given", "true"); },
             [&](const AnyState&) { lines.key("any_state", "true"); },
+            [&](const AtRest&) { lines.key("at_rest", "true"); },
             [&](const AtTime& at) {
                 lines.key("at_s", at.t);
                 // without [motion], only dynamics can be meant

@@ -47,6 +47,25 @@ at = [0, 0, 0]
 axis = [0, 0, 1]
 )";
 
+/// A point mass of 1 kg at 1 m, level at the start; its angle counts upwards.
+constexpr const char* kArm = R"(format = 1
+title = "Arm"
+[dynamics]
+duration = 1
+gravity = [0, 0, -9.81]
+[[body]]
+name = "arm"
+position = [1, 0, 0]
+mass = 1
+inertia = [0.01, 0.01, 0.01]
+[[joint]]
+name = "pin"
+type = "revolute"
+bodies = ["ground", "arm"]
+at = [0, 0, 0]
+axis = [0, -1, 0]
+)";
+
 }  // namespace
 
 TEST_CASE("rest tells where a pendulum hangs, what holds it, and how it swings", "[app][rest]") {
@@ -100,6 +119,72 @@ TEST_CASE("rest says what still moves where there is no equilibrium, and what is
     const Ran kinematics = run({"rest", folder.file("crank.toml", kCrank)});
     CHECK(kinematics.status == 2);
     CHECK_THAT(kinematics.err, Catch::Contains("no [dynamics]"));
+}
+
+TEST_CASE("Claims at rest are judged at the equilibrium, with what holds it", "[app][rest]") {
+    const Folder folder;
+    const auto checked = [&](const std::string& lesson, const std::string& claim,
+                             const std::string& experiment) {
+        std::vector<std::string> arguments{
+            "check", folder.file("claim.toml", lesson + "\n[[expect]]\nat_rest = true\n" + claim)};
+        if (!experiment.empty()) { arguments.insert(arguments.end(), {"--try", experiment}); }
+        return run(arguments);
+    };
+    const std::string free = kArm;
+    CHECK(checked(free, "stable = true\n", "").status == 0);
+    CHECK(checked(free, "stable = false\n", "").status == 1);
+    CHECK(checked(free, "quantity = \"pin.angle\"\nvalue_deg = -90\ntolerance_deg = 1e-6\n", "").status == 0);
+    CHECK(checked(free, "quantity = \"pin.force.z\"\nvalue = 9.81\ntolerance = 1e-9\n", "").status == 0);
+    CHECK(checked(free, "quantity = \"pin.force.z\"\nvalue = 9.82\ntolerance = 1e-9\n", "").status == 1);
+    CHECK(checked(free, "rank = 5\ndof = 1\nresidual_below = 1e-12\n", "").status == 0);
+
+    // a motor holds the rod level; behind a first driver that is taken out it is still the same
+    const auto motor = [](const std::string& name, const std::string& deg) {
+        return "\n[[driver]]\nname = \"" + name +
+               "\"\njoint = \"pin\"\nquantity = \"angle\"\npolynomial_deg = [" + deg + "]\n";
+    };
+    const std::string effort = "quantity = \"motor.effort\"\nvalue = 9.81\ntolerance = 1e-9\n";
+    CHECK(checked(free + motor("motor", "0"), effort, "").status == 0);
+    CHECK(checked(free + motor("other", "0") + motor("motor", "0"), effort, "take out other").status == 0);
+    // without the motor it hangs
+    const std::string hangs = "quantity = \"pin.angle\"\nvalue_deg = -90\ntolerance_deg = 1e-6\n";
+    CHECK(checked(free + motor("motor", "0"), hangs, "").status == 1);
+    CHECK(checked(free + motor("motor", "0"), hangs, "take out motor").status == 0);
+
+    const Ran falls = checked(kFalling, "stable = true\n", "");
+    CHECK(falls.status == 1);
+    CHECK_THAT(falls.err + falls.out, Catch::Contains("Nothing holds the mechanism"));
+}
+
+TEST_CASE("At rest drivers stand as at t = 0, and angles are those of the pose", "[app][rest]") {
+    const Folder folder;
+    const auto holds = [&](const std::string& lesson, const std::string& claim) {
+        return run({"check", folder.file("claim.toml", lesson + "\n[[expect]]\nat_rest = true\n" + claim)})
+                   .status == 0;
+    };
+    const auto driven = [](const std::string& deg) {
+        return std::string(kArm) +
+               "\n[[driver]]\nname = \"motor\"\njoint = \"pin\"\nquantity = \"angle\"\npolynomial_deg = [" +
+               deg + "]\n";
+    };
+    const auto angle = [](const std::string& deg) {
+        return "quantity = \"pin.angle\"\nvalue_deg = " + deg + "\ntolerance_deg = 1e-9\n";
+    };
+    CHECK(holds(driven("20, 30") + "[motion]\nfrom_s = 1\nto_s = 2\n", angle("20")));
+    CHECK(holds(driven("800"), angle("80")));
+    CHECK(holds(driven("800"), angle("800")));
+    CHECK_FALSE(holds(driven("800"), angle("81")));
+}
+
+TEST_CASE("Where a spring carries the whole weight, reactions are zero and not missing", "[app][rest]") {
+    const Folder folder;
+    const std::string lesson = std::string(kFalling) + "\n[[spring]]\njoint = \"rail\"\nstiffness = 100\n";
+    const std::string claims =
+        "[[expect]]\nat_rest = true\nquantity = \"rail.displacement\"\nvalue = -0.0981\ntolerance = 1e-12\n"
+        "[[expect]]\nat_rest = true\nquantity = \"rail.force.x\"\nvalue = 0\ntolerance = 1e-9\n";
+    const Ran ran = run({"check", folder.file("scale.toml", lesson + claims)});
+    INFO(ran.out);
+    CHECK(ran.status == 0);
 }
 
 }  // namespace jw::test

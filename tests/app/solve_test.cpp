@@ -262,4 +262,98 @@ TEST_CASE("A dead centre is a change point in solve as in check", "[app][solve]"
     }
 }
 
+TEST_CASE("Reactions of a driven motion are those without the joints that were taken out", "[app][solve]") {
+    const Folder folder;
+    const std::string file = folder.file("door.toml", R"(format = 1
+title = "Door on two hinges"
+[[body]]
+name = "door"
+position = [0.4, 0, 0]
+mass = 10
+inertia = [1, 1, 1]
+[[joint]]
+name = "low"
+type = "revolute"
+bodies = ["ground", "door"]
+at = [0, 0, -0.5]
+axis = [0, 0, 1]
+[[joint]]
+name = "high"
+type = "revolute"
+bodies = ["ground", "door"]
+at = [0, 0, 0.5]
+axis = [0, 0, 1]
+[[driver]]
+name = "push"
+quantity = "angle"
+joint = "low"
+polynomial_rad = [0, 1]
+[dynamics]
+gravity = [0, 0, -9.81]
+duration = 1
+)");
+    const auto reaction = [&](const std::vector<std::string>& experiment) {
+        std::vector<std::string> arguments{"solve", file, "--to", "0", "--quantities", "low.force.z"};
+        arguments.insert(arguments.end(), experiment.begin(), experiment.end());
+        const Ran ran = run(arguments);
+        REQUIRE(ran.status == 0);
+        const std::vector<std::string> lines = split(ran.out, '\n');
+        const std::vector<std::string> header = split(lines.at(0), ',');
+        const auto at = std::ranges::find(header, "low.force.z") - header.begin();
+        return split(lines.at(1), ',').at(static_cast<std::size_t>(at));
+    };
+    // two hinges share the weight, and nothing says how
+    CHECK(reaction({}).empty());
+    CHECK(std::stod(reaction({"--try", "take out high"})) == Approx(98.1));
+}
+
+TEST_CASE("A spring about a driven joint is twisted by whole turns, too", "[app][solve]") {
+    const Folder folder;
+    const std::string lesson = R"(format = 1
+title = "Wound up"
+[[body]]
+name = "drum"
+mass = 2
+inertia = [0.1, 0.1, 0.1]
+[[joint]]
+name = "axle"
+type = "revolute"
+bodies = ["ground", "drum"]
+at = [0, 0, 0]
+axis = [0, 0, 1]
+[[driver]]
+name = "motor"
+joint = "axle"
+quantity = "angle"
+polynomial_deg = [0, 90]
+[motion]
+to_s = 6
+[dynamics]
+duration = 1
+[[rotational_spring]]
+joint = "axle"
+stiffness = 3
+free_angle_deg = 40
+)";
+    // 3 N m/rad times 320 deg, in one interval and in a claim
+    const double twist = 320.0 * std::numbers::pi / 180.0;
+    const std::string file = folder.file("wound.toml", lesson);
+    const Ran ran = run(
+        {"solve", file, "--from", "0", "--to", "4", "--step", "4", "--quantities",
+         "energy.potential,motor.effort"});
+    REQUIRE(ran.status == 0);
+    const std::vector<std::string> lines = split(ran.out, '\n');
+    const std::vector<std::string> header = split(lines.at(0), ',');
+    const auto value = [&](const std::string& name) {
+        const auto at = std::ranges::find(header, name) - header.begin();
+        return std::stod(split(lines.at(2), ',').at(static_cast<std::size_t>(at)));
+    };
+    CHECK(value("motor.effort") == Approx(3.0 * twist));
+    CHECK(value("energy.potential") == Approx(1.5 * twist * twist));
+    const std::string claim =
+        "[[expect]]\nat_s = 4\nof = \"motion\"\nquantity = \"motor.effort\"\nvalue = "
+        "16.7551608191456\ntolerance = 1e-9\n";
+    CHECK(run({"check", folder.file("claim.toml", lesson + claim)}).status == 0);
+}
+
 }  // namespace jw::test

@@ -180,6 +180,7 @@ public:
     }
     void compare(const std::string& /*name*/, const AsGiven& /*a*/, const AsGiven& /*b*/) {}
     void compare(const std::string& /*name*/, const AnyState& /*a*/, const AnyState& /*b*/) {}
+    void compare(const std::string& /*name*/, const AtRest& /*a*/, const AtRest& /*b*/) {}
     void compare(const std::string& name, const FormulaClaim& a, const FormulaClaim& b) {
         all(name, a, b, &FormulaClaim::formula, "formula", &FormulaClaim::holds, "holds");
     }

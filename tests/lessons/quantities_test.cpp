@@ -347,7 +347,14 @@ TEST_CASE("Claims that nothing can judge are refused with their place", "[lesson
     says(
         "quantity = \"energy.sum\"\n" + value, false, "needs masses and forces; expected a table [dynamics]");
     says("quantity = \"energy.som\"\n" + value, true, "is not a quantity; expected energy.kinetic");
-    says("quantity = \"pin.force.x\"\n" + value, true, "reactions belong to a motion; expected 'at_s'");
+    says(
+        "quantity = \"pin.force.x\"\n" + value, true,
+        "reactions belong to a motion or an equilibrium; expected 'at_s' or 'at_rest'");
+    CHECK(report_of("at_rest = true\nquantity = \"pin.force.x\"\n" + value, true) == "");
+    says("at_rest = true\nquantity = \"pin.angle_dot\"\n" + value, true, "nothing moves at rest");
+    says("at_rest = true\ncloses = true\n", true, "an equilibrium closes");
+    says("at_rest = true\ncloses = true\n", false, "no forces lead to an equilibrium; expected masses");
+    says("stable = true\n", true, "expected 'at_rest = true' beside 'stable'");
     says("at_s = 3\nquantity = \"energy.sum\"\n" + value, true, "from 0 to 'duration' of [dynamics]");
     says("at_s = 1\nof = \"motion\"\nquantity = \"energy.sum\"\n" + value, true, "of [motion]");
     says("quantity = \"arm.r_dot.x\"\n" + value, true, "nothing moves before the motion");

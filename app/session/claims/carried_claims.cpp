@@ -16,6 +16,7 @@ std::optional<Moment> carried(const Moment& when, const Lesson& written, const L
         Overloaded{
             [](const AsGiven& given) -> Carried { return given; },
             [](const AnyState& any) -> Carried { return any; },
+            [](const AtRest& rest) -> Carried { return rest; },
             [&](const AfterAddition& after) -> Carried {
                 if (after.count == 0) { return after; }
                 const Addition& addition = written.order[static_cast<std::size_t>(after.count - 1)];

@@ -32,6 +32,7 @@ std::string text_of(const Moment& moment, const Lesson& lesson) {
         Overloaded{
             [](const AsGiven&) -> std::string { return tr("as given"); },
             [](const AnyState&) -> std::string { return tr("in any state"); },
+            [](const AtRest&) -> std::string { return tr("at rest"); },
             [](const AtTime& at) { return tr("at {0} s", number_text(at.t, kTypedDigits)); },
             [&](const AfterAddition& after) -> std::string {
                 if (after.count == 0) { return tr("free bodies"); }
@@ -173,7 +174,21 @@ void judge(const FormulaClaim& claim, const Pose& pose, ClaimResult& result) {
     judge_formula(claim, {pose.instant}, result);
 }
 
+void judge_stability(bool claimed, const Pose& pose, ClaimResult& result) {
+    result.subject = tr("stable");
+    result.expected = claimed ? tr("yes") : tr("no");
+    const Stability stability = pose.stability.value_or(Stability::cannot_tell);
+    result.found = stability == Stability::stable     ? tr("yes")
+                   : stability == Stability::unstable ? tr("no")
+                                                      : tr("not known");
+    result.holds = stability == (claimed ? Stability::stable : Stability::unstable);
+}
+
 void judge(const VerdictClaim& claim, const Pose& pose, ClaimResult& result) {
+    if (claim.verdict == Verdict::stable) {
+        judge_stability(claim.value, pose, result);
+        return;
+    }
     System system = *pose.instant.system;
     const auto begun = [&] { return MotionTracker(system, pose.instant.state, pose.instant.t).frame(); };
     const bool found = pose.change_point ? *pose.change_point : begun().change_point;
@@ -194,7 +209,8 @@ ClaimResult judged(const Claim& claim, const Pose& pose) {
         result.holds = verdict->value == pose.failure.empty();
     } else if (!pose.failure.empty()) {
         result.subject = tr("this claim");
-        result.expected = tr("a pose that closes");
+        result.expected =
+            std::holds_alternative<AtRest>(claim.when) ? tr("an equilibrium") : tr("a pose that closes");
         result.found = pose.failure;
     } else if (std::holds_alternative<AnyState>(claim.when)) {
         judge_formula(std::get<FormulaClaim>(claim.fact), arbitrary_instants(pose.instant), result);

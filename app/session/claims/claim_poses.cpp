@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "app/session/rest/rest.hpp"
 #include "app/session/story/dynamics_rows.hpp"
 #include "app/session/story/dynamics_run.hpp"
 #include "app/session/story/sentences.hpp"
+#include "app/session/story/taking_part.hpp"
+#include "app/session/view/inspection.hpp"
 #include "app/session/wording/explanations.hpp"
 #include "core/numerics/variants.hpp"
 
@@ -26,18 +29,19 @@ StoryOptions what_claims_need(const Lesson& lesson) {
     return options;
 }
 
+bool is_at_rest(const Claim& claim) { return std::holds_alternative<AtRest>(claim.when); }
+
 bool has_claimed_end(const Lesson& lesson) {
     return lesson.dynamics && lesson.dynamics->point && lesson.dynamics->point_at_end;
 }
 
 }  // namespace
 
-ClaimPoses::ClaimPoses(const Lesson& lesson) : lesson_(&lesson), story_(lesson, what_claims_need(lesson)) {
-    if (lesson.dynamics) {
-        scene_ = std::make_shared<const Centroidal>(centroidal(lesson.mechanism, lesson.dynamics->loads));
-    }
+ClaimPoses::ClaimPoses(const Lesson& lesson)
+    : lesson_(&lesson), story_(lesson, what_claims_need(lesson)), scene_(scene_of(lesson)) {
     if (!claimed_times(false).empty()) { follow_motion(); }
     if (!claimed_times(true).empty() || has_claimed_end(lesson)) { follow_forces(); }
+    if (std::ranges::any_of(lesson.claims, is_at_rest)) { come_to_rest(); }
 }
 
 Pose ClaimPoses::at(const Moment& moment) const {
@@ -45,6 +49,7 @@ Pose ClaimPoses::at(const Moment& moment) const {
         Overloaded{
             [&](const AsGiven&) { return as_given(); },
             [&](const AnyState&) { return as_given(); },
+            [&](const AtRest&) { return at_rest_; },
             [&](const AtTime& at) { return at.by_forces ? by_forces_.at(at.t) : motion_.at(at.t); },
             [&](const AfterAddition& addition) { return after(addition.count); },
         },
@@ -105,6 +110,7 @@ void ClaimPoses::follow_motion() {
     }
     System system = *start.instant.system;
     MotionTracker tracker(system, start.instant.state, plan.from);
+    const MotionFrame begin = tracker.frame();
     std::string failure;
     for (const double t : times) {
         if (failure.empty() && !tracker.advance_to(t)) { failure = failure_text(system, *tracker.failure()); }
@@ -116,10 +122,34 @@ void ClaimPoses::follow_motion() {
         pose.instant.turns = frame.turns;
         pose.instant.acceleration = frame.acceleration;
         pose.instant.t = t;
-        pose.instant.scene = scene_;
+        pose.instant.scene = scene_at(scene_, begin, frame);
         pose.change_point = frame.change_point;
         pose.failure = failure;
     }
+}
+
+void ClaimPoses::come_to_rest() {
+    at_rest_ = as_given();
+    RestView view;
+    try {
+        view = find_rest(*lesson_, {});
+    } catch (const PoseNotReached& error) {
+        at_rest_.failure = error.what();
+        return;
+    }
+    at_rest_.failure = view.failure;
+    at_rest_.stability = view.outcome.motions.stability;
+    Instant& instant = at_rest_.instant;
+    instant.state = view.instant.state;
+    instant.velocity = view.instant.velocity;
+    instant.acceleration = view.instant.acceleration;
+    instant.centroidal_acceleration = view.instant.centroidal_acceleration;
+    instant.t = 0.0;
+    auto system = std::make_shared<System>(*instant.system);
+    system->choose_rows(instant.state);
+    instant.system = system;
+    instant.scene =
+        std::make_shared<const Centroidal>(scene_->mechanism, view.outcome.loads, scene_->centres);
 }
 
 /// Follows the motion by two runs over the whole duration, whatever times are claimed, so that the result at

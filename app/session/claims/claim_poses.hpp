@@ -6,6 +6,7 @@
 
 #include "app/session/story/story.hpp"
 #include "core/quantity/evaluate.hpp"
+#include "core/statics/modes.hpp"
 
 /// Poses and motions of a lesson's mechanism at the moments of its claims.
 namespace jw {
@@ -16,8 +17,9 @@ struct Pose {
     /// The same instant of a run with a looser tolerance, for a motion by masses and forces. The difference
     /// of the two is what cannot be proved.
     std::optional<Instant> rough;
-    std::optional<bool> change_point;  ///< as found along the motion; nothing if no motion led here
-    std::string failure;               ///< not empty: the pose was not reached
+    std::optional<bool> change_point;    ///< as found along the motion; nothing if no motion led here
+    std::optional<Stability> stability;  ///< of an equilibrium
+    std::string failure;                 ///< not empty: the pose was not reached
 };
 
 /// Poses of all requested moments, each computed once.
@@ -35,12 +37,14 @@ private:
     std::vector<double> claimed_times(bool by_forces) const;
     void follow_motion();
     void follow_forces();
+    void come_to_rest();
 
     const Lesson* lesson_;
     Story story_;
     std::shared_ptr<const Centroidal> scene_;  ///< nothing in a lesson without masses
     std::map<double, Pose> motion_;
     std::map<double, Pose> by_forces_;
+    Pose at_rest_;
 };
 
 }  // namespace jw

@@ -10,4 +10,8 @@ namespace jw {
 /// characters where words allow.
 std::string describe(const View& view, int width = 100);
 
+struct RestView;
+/// An equilibrium as text for a terminal.
+std::string describe(const RestView& view);
+
 }  // namespace jw

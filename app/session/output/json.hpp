@@ -29,6 +29,8 @@ Json json_of(const RankReport& report, const System& system, const FreedomJudgem
 Json json_of(const FreedomJudgement& judgement, const Mechanism& mechanism);
 /// null where there are none.
 Json json_of(const std::optional<DynamicsView>& dynamics);
+struct RestView;
+Json json_of(const RestView& view, const Lesson& lesson);
 /// `value` and the `bound` that rounding puts on it.
 Json json_of(const EquationResidual& residual);
 /// Bodies with positions and velocities, in the order of the lesson.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/session/story/dynamics_run.hpp"
+#include "app/session/story/taking_part.hpp"
 #include "app/session/view/inspection.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -93,8 +93,8 @@ std::vector<NamedQuantity> told_quantities(const Mechanism& mechanism) {
     return list;
 }
 
-/// What is told of a small motion: angles and displacements of joints, and the rotation of a body on a joint
-/// that has neither, as on a ball.
+/// Quantities that describe a small motion: angles and displacements of joints, and the rotation of a body on
+/// a joint that has neither, as on a ball.
 std::vector<NamedQuantity> moving_quantities(const Mechanism& mechanism) {
     std::vector<NamedQuantity> list;
     for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
@@ -222,8 +222,11 @@ RestView find_rest(const Lesson& lesson, const RestRequest& request) {
     if (!lesson.dynamics) {
         throw std::invalid_argument("this lesson has no [dynamics]; expected masses and a table [dynamics]");
     }
-    const Story story(lesson, last_pose_only());
-    if (const Step* failed = story.failure()) { throw not_reached(lesson, *failed); }
+    // not at the first time of [motion]
+    Lesson at_zero = lesson;
+    at_zero.motion.reset();
+    const Story story(at_zero, last_pose_only());
+    if (const Step* failed = story.failure()) { throw not_reached(at_zero, *failed); }
     const State& assembled = story.steps().back().state;
 
     RestView view;

@@ -2,6 +2,7 @@
 
 #include "app/session/story/dynamics_run.hpp"
 #include "app/session/story/story.hpp"
+#include "app/session/story/taking_part.hpp"
 #include "core/numerics/linear.hpp"
 
 namespace jw {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/session/story/dynamics_rows.hpp"
+#include "app/session/story/taking_part.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/equations/assembler.hpp"
@@ -299,29 +300,6 @@ std::size_t DynamicsTable::column_of(std::string_view name) const {
     const auto found = std::ranges::find(columns, name);
     if (found == columns.end()) { throw std::invalid_argument("no column " + std::string(name)); }
     return static_cast<std::size_t>(found - columns.begin());
-}
-
-Mechanism taking_part(const Lesson& lesson) {
-    Mechanism mechanism = lesson.mechanism;
-    const Selection added = selection_of(lesson, static_cast<int>(lesson.order.size()));
-    const auto is_out = [](const std::vector<int>& all, std::size_t index) {
-        return std::ranges::find(all, static_cast<int>(index)) == all.end();
-    };
-    for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
-        if (!is_out(added.joints, j)) { continue; }
-        Joint& joint = mechanism.joints[j];
-        joint.geometry.angle_dot_start.reset();
-        joint.geometry.displacement_dot_start.reset();
-        for (const Role role : joint.type->roles) {
-            for (int k = 0; k < equations_of(joint, role); ++k) { joint.without.push_back({role, k}); }
-        }
-    }
-    for (std::size_t d = 0; d < mechanism.drivers.size(); ++d) {
-        if (!is_out(added.drivers, d)) { continue; }
-        const DisplacementMeasure nowhere{Vec3::UnitZ(), Vec3::Zero(), Vec3::Zero()};
-        mechanism.drivers[d] = {mechanism.drivers[d].name, -1, 0, 0, nowhere, {}};
-    }
-    return mechanism;
 }
 
 Mechanism placed_at(const Mechanism& mechanism, const State& state) {

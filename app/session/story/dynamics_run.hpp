@@ -60,10 +60,6 @@ DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request);
 /// Times at equal intervals from 0 to `duration`.
 std::vector<double> equal_times(double duration, int intervals);
 
-/// The mechanism as far as joints and drivers are added. Each keeps its place: no equation is left of a joint
-/// that was taken out, and a driver that was taken out holds a point of the ground where it is.
-Mechanism taking_part(const Lesson& lesson);
-
 /// The mechanism with its bodies at the poses of a state.
 Mechanism placed_at(const Mechanism& mechanism, const State& state);
 

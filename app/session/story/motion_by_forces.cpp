@@ -4,6 +4,7 @@
 
 #include "app/session/story/dynamics_run.hpp"
 #include "app/session/story/motion_telling.hpp"
+#include "app/session/story/taking_part.hpp"
 
 namespace jw {
 

@@ -8,6 +8,7 @@
 #include "lessons/lesson/enum_words.hpp"
 #include "lessons/lesson/equation_labels.hpp"
 #include "lessons/typed/exact_text.hpp"
+#include "lessons/typed/typed.hpp"
 
 namespace jw {
 

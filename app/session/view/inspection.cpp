@@ -4,6 +4,7 @@
 
 #include "app/session/story/dynamics_run.hpp"
 #include "app/session/story/sentences.hpp"
+#include "app/session/story/taking_part.hpp"
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"

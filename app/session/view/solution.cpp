@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/story/dynamics_run.hpp"
+#include "app/session/story/taking_part.hpp"
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
@@ -185,10 +187,7 @@ Sweep solve_sweep(
     const bool wants_accelerations = plan.analysis == Analysis::acceleration || !plan.quantities.empty();
     MotionTracker tracker(system, last.state, last.t, wants_accelerations);
     const std::vector<NamedQuantity> list = quantities_of(system, plan.analysis);
-    std::shared_ptr<const Centroidal> scene;
-    if (lesson.dynamics && !plan.quantities.empty()) {
-        scene = std::make_shared<const Centroidal>(centroidal(lesson.mechanism, lesson.dynamics->loads));
-    }
+    const auto scene = plan.quantities.empty() ? nullptr : scene_of(lesson);
     Sweep sweep;
     std::optional<ProofRecorder> recorder;
     if (plan.with_proof) {
@@ -197,6 +196,7 @@ Sweep solve_sweep(
     }
     sweep.columns = columns_of(list, plan, lesson.mechanism);
     const std::vector<double> times = times_of(plan);
+    const MotionFrame begin = tracker.frame();
     for (std::size_t k = 0; k < times.size(); ++k) {
         bool switched = false;
         if (!advance_along(tracker, lesson, times[k], switched)) {
@@ -204,7 +204,8 @@ Sweep solve_sweep(
             break;
         }
         if (recorder) { recorder->add(tracker.frame()); }
-        sweep.rows.push_back(row_of(system, tracker.frame(), plan, list, scene));
+        sweep.rows.push_back(
+            row_of(system, tracker.frame(), plan, list, scene_at(scene, begin, tracker.frame())));
         if (!sweep.rows.back().consistent && sweep.contradiction.empty()) {
             sweep.contradiction = contradiction_at(system, tracker.frame());
         }

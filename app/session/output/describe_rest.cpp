@@ -1,8 +1,9 @@
-#include "app/session/rest/describe_rest.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/output/describe.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/rest/rest.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"

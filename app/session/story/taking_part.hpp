@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+
+#include "core/kinematics/motion_tracker.hpp"
+#include "core/motion/loads.hpp"
+#include "lessons/lesson/lesson.hpp"
+
+/// Joints and drivers of a lesson without those that were taken out.
+namespace jw {
+
+/// The mechanism as far as joints and drivers are added. Each keeps its place: no equation is left of a joint
+/// that was taken out, and a driver that was taken out holds a point of the ground where it is.
+Mechanism taking_part(const Lesson& lesson);
+
+/// What takes part with its masses and loads, for energies and reactions; null for a lesson without dynamics.
+std::shared_ptr<const Centroidal> scene_of(const Lesson& lesson);
+
+/// The scene at a frame of a driven motion: its rotational springs are twisted by what their joints have
+/// turned since the frame `begin`. Null for null.
+std::shared_ptr<const Centroidal> scene_at(
+    const std::shared_ptr<const Centroidal>& scene, const MotionFrame& begin, const MotionFrame& frame);
+
+}  // namespace jw
