@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "lessons/diagnostics/text_place.hpp"
+#include "lessons/format/other_names.hpp"
 #include "lessons/math/text_parts.hpp"
 #include "lessons/typed/exact_text.hpp"
 #include "lessons/typed/typed.hpp"
@@ -296,9 +297,22 @@ const toml::key* Fields::meant_as(std::string_view key) const {
         const std::string_view word = other.str();
         const bool other_unit = (key.starts_with(word) && word.size() >= bare.size()) ||
                                 word == wanted[0] + "_deg" || word == wanted[0] + "_rad";
-        if (!known_.contains(word) && (other_unit || !did_you_mean(word, wanted).empty())) { return &other; }
+        const bool is_meant =
+            other_unit || !key_meant_by(word, wanted).empty() || !did_you_mean(word, wanted).empty();
+        if (is_meant && !known_.contains(word) && !told_.contains(word)) { return &other; }
     }
     return nullptr;
+}
+
+bool Fields::has_instead_of(std::string_view expected) const {
+    std::vector<std::string> names;
+    if (described_ == nullptr) { return false; }
+    for (const SpelledKey& spelled : spelled_keys(*described_)) { names.push_back(spelled.name); }
+    return std::ranges::any_of(*table_, [&](const auto& entry) {
+        const std::string_view word = entry.first.str();
+        const std::string meant = known_.contains(word) ? "" : key_meant_by(word, names);
+        return !meant.empty() && expected.find(in_quotes(meant)) != std::string_view::npos;
+    });
 }
 
 void Fields::missing(std::string_view key, std::string_view expected) {
@@ -312,9 +326,10 @@ void Fields::missing(std::string_view key, std::string_view expected) {
             "unknown key " + in_quotes(other->str()) + " in " + what_ + "; expected " + in_quotes(key) +
                 (in_radians != key && in_radians != other->str() ? " or " + in_quotes(in_radians) : ""),
             "did you mean " + in_quotes(key) + "?");
-        known_.emplace(other->str());
+        told_.emplace(other->str());
         return;
     }
+    if (has_instead_of(expected)) { return; }
     problems_->add(
         Code::missing_key, span(),
         what_ + " has no " + in_quotes(key) + "; expected " + std::string(expected));
@@ -345,13 +360,14 @@ void Fields::finish() {
         for (const auto& [tag, table] : languages()) { finish_language(tag, *table); }
     }
     for (const auto& [key, node] : *table_) {
-        if (known_.contains(key.str())) { continue; }
+        if (known_.contains(key.str()) || told_.contains(key.str())) { continue; }
         if (problems_->is_full()) { return; }
         if (is_misnamed_language(key, node)) { continue; }
+        const std::string meant = key_meant_by(key.str(), names);
         problems_->add(
             Code::unknown_key, span_of(key.source()),
             "unknown key " + in_quotes(key.str()) + " in " + what_ + "; expected one of " + comma_list(names),
-            did_you_mean(key.str(), names));
+            meant.empty() ? did_you_mean(key.str(), names) : "did you mean " + in_quotes(meant) + "?");
     }
 }
 

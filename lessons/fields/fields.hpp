@@ -168,6 +168,8 @@ private:
     Fields below(const toml::table& table, std::string_view key) const;
     /// A key that has not been read and probably means `key`: misspelt, or with another unit or none.
     const toml::key* meant_as(std::string_view key) const;
+    /// True if a key that is not known stands for one that `expected` names in quotes: `finish` tells of it.
+    bool has_instead_of(std::string_view expected) const;
     void wrong_type(std::string_view key, const toml::node& node, std::string_view expected);
     std::optional<double> number_in(const toml::node& node, const std::string& what);
     std::optional<Located<std::vector<double>>> list_in(
@@ -179,6 +181,7 @@ private:
     std::string what_;
     Problems* problems_;
     std::set<std::string, std::less<>> known_;
+    std::set<std::string, std::less<>> told_;   ///< keys that are not known, and were told already
     std::set<std::string, std::less<>> words_;  ///< keys read as words: a language may have them
 };
 

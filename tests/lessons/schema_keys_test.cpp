@@ -10,6 +10,7 @@
 #include "lessons/files/catalogue.hpp"
 #include "lessons/format/exercise_keys.hpp"
 #include "lessons/format/key.hpp"
+#include "lessons/format/other_names.hpp"
 #include "lessons/write/writer.hpp"
 #include "tests/lessons/random_lessons.hpp"
 #include "tests/lessons/support.hpp"
@@ -138,4 +139,24 @@ TEST_CASE("Units of keys are those that the writer puts behind their values", "[
     }
     CAPTURE(checked.size());
     CHECK(checked.size() > 15);
+}
+
+TEST_CASE("What authors try instead of a key leads to a key, and is none itself", "[lessons][reading]") {
+    for (const OtherName& name : other_names()) {
+        CAPTURE(name.tried, name.meant);
+        int tables = 0;
+        for (const KeyTable& table : key_tables()) {
+            std::vector<std::string> keys;
+            for (const SpelledKey& key : spelled_keys(table)) { keys.push_back(key.name); }
+            const std::string meant = key_meant_by(name.tried, keys);
+            if (meant.empty()) { continue; }
+            ++tables;
+            const std::string_view key = find_key(table, meant)->name;
+            CHECK(std::ranges::any_of(other_names(), [&](const OtherName& other) {
+                return other.tried == name.tried && other.meant == key;
+            }));
+            CHECK(find_key(table, name.tried) == nullptr);
+        }
+        CHECK(tables > 0);
+    }
 }

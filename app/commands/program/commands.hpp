@@ -22,6 +22,7 @@ void add_check(CLI::App& app, const Streams& streams, Run& run);
 void add_explain(CLI::App& app, const Streams& streams, Run& run);
 void add_sheet(CLI::App& app, const Streams& streams, Run& run);
 void add_grade(CLI::App& app, const Streams& streams, Run& run);
+void add_keys(CLI::App& app, const Streams& streams, Run& run);
 void add_schema(CLI::App& app, const Streams& streams, Run& run);
 void add_step(CLI::App& app, const Streams& streams, Run& run);
 void add_inspect(CLI::App& app, const Streams& streams, Run& run);
