@@ -35,8 +35,8 @@ TEST_CASE("bench --kinematics finds the same moments in every choice of coordina
 TEST_CASE("bench --kinematics refuses lessons that no driver moves", "[app]") {
     CHECK(run({"bench", "--kinematics", "simple-pendulum"}).status == 2);
     CHECK(run({"bench", "--kinematics", "no-such-lesson"}).status == 2);
-    CHECK(run({"bench", "--kinematics", "--hard"}).status == 2);
-    CHECK(run({"bench", "--hard", "--picture", "x.png"}).status == 2);
+    CHECK(run({"bench", "--kinematics", "--render"}).status == 2);
+    CHECK(run({"bench", "--kinematics", "--picture", "x.png"}).status == 2);
     CHECK(run({"bench", "--kinematics", "four-bar", "--format", "markdown"}).status == 2);
     CHECK(run({"bench", "--kinematics", "four-bar", "--format", "csv"}).out.starts_with("scene,"));
 }

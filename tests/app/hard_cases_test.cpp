@@ -5,9 +5,8 @@
 #include <set>
 #include <sstream>
 
-#include "app/hard/report.hpp"
 #include "lessons/files/catalogue.hpp"
-#include "tests/app/program.hpp"
+#include "tests/hard/report.hpp"
 
 namespace jw::test {
 
@@ -35,6 +34,7 @@ TEST_CASE(
     std::ifstream file(std::filesystem::path(JW_SOURCE_ROOT) / "docs" / "hard-cases.md");
     std::stringstream page;
     page << file.rdbuf();
+    CHECK(page.str().starts_with(hard::markdown_head()));
     std::set<std::string_view> names;
     for (const hard::Case& c : hard::cases()) {
         INFO(c.name);
@@ -42,17 +42,6 @@ TEST_CASE(
         CHECK(std::filesystem::is_regular_file(catalogue_folder() / c.lesson));
         CHECK(page.str().find("## " + std::string(c.title)) != std::string::npos);
     }
-}
-
-TEST_CASE("bench --hard runs the cases that are named, in every form", "[app][hard]") {
-    const Ran table = run({"bench", "--hard", "kept-pair-at-90"});
-    CHECK(table.status == 0);
-    CHECK(table.out.find("least rank") != std::string::npos);
-    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--format", "json"}).out.starts_with("{"));
-    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--format", "csv"}).out.starts_with("case,"));
-    CHECK(run({"bench", "--hard", "kept-pair-at-90", "--format", "markdown"}).out.starts_with("# Hard"));
-    CHECK(run({"bench", "--hard", "kept-pair-at-9"}).status == 2);
-    CHECK(run({"bench", "simple-pendulum", "--format", "markdown"}).status == 2);
 }
 
 }  // namespace jw::test

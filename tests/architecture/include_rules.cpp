@@ -79,8 +79,6 @@ constexpr std::array<std::string_view, 8> kSite{
 // the page: the interface, and the browser around it
 constexpr std::array<std::string_view, 7> kWeb{"app/web/", "app/host/", "app/session/", "lessons/",
                                                "render/",  "imgui.h",   "emscripten/"};
-// the hard cases are run, not drawn
-constexpr std::array<std::string_view, 5> kHard{"app/hard/", "app/session/", "core/", "lessons/", "Eigen/"};
 
 // what other programs see shows nothing of what is behind it
 constexpr std::array<std::string_view, 2> kHeadersOfLibrary{"jointwise/", "Eigen/"};
@@ -101,7 +99,6 @@ constexpr std::array kFolders{
     FolderRule{"app/session/", kSession},
     FolderRule{"app/panels/", kPanels},
     FolderRule{"app/host/", kHost},
-    FolderRule{"app/hard/", kHard},
     FolderRule{"app/export/", kExport},
     FolderRule{"app/snapshot/", kSnapshot},
     FolderRule{"app/film/", kFilm},

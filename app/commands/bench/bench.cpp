@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/commands/bench/bench_hard.hpp"
 #include "app/commands/bench/bench_kinematics.hpp"
 #include "app/commands/bench/bench_render.hpp"
 #include "app/commands/options/dynamics_options.hpp"
@@ -34,7 +33,6 @@ struct BenchOptions {
     std::string coordinates;
     std::string format;
     std::string picture;
-    bool hard = false;
     bool kinematics = false;
     bool render = false;
     std::string size = "1280x720";
@@ -185,13 +183,6 @@ SceneResult bench_scene(const std::filesystem::path& file, const BenchPlan& plan
 }
 
 Exit bench_command(const BenchOptions& options, const Streams& streams) {
-    if (options.hard) { return bench_hard(options.scenes, options.format, streams); }
-    if (options.format == "markdown") {
-        throw CommandError(
-            Exit::bad_input,
-            "jointwise: error: --format markdown goes with --hard; expected table, csv or json\n"
-            "hint: jointwise bench --help");
-    }
     if (options.kinematics) { return bench_kinematics(options.scenes, options.format, streams); }
     if (options.render) {
         return bench_render(
@@ -235,7 +226,7 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
 }  // namespace
 
 void add_bench(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("bench", "compare methods by time and error; run the hard cases");
+    CLI::App* command = app.add_subcommand("bench", "compare methods by time and error");
     auto options = std::make_shared<BenchOptions>();
     command
         ->add_option(
@@ -266,9 +257,6 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
         "--kinematics", options->kinematics,
         "benchmark the kinematics instead: position, velocity and acceleration of driven lessons in every "
         "choice of coordinates and rows");
-    CLI::Option* hard = command->add_flag(
-        "--hard", options->hard,
-        "run the hard cases of kinematics and dynamics instead; SCENE then selects some of them");
     CLI::Option* drawing = command->add_flag(
         "--render", options->render,
         "measure the time of each stage of a picture of the motion, beside a plain loop with "
@@ -277,14 +265,11 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
         ->type_name("WxH")
         ->capture_default_str()
         ->needs(drawing);
-    for (CLI::Option* other : {kinematics, hard, drawing}) {
+    for (CLI::Option* other : {kinematics, drawing}) {
         other->excludes(method, treatment, coordinates, picture);
     }
-    hard->excludes(kinematics, drawing);
     kinematics->excludes(drawing);
-    add_format_option(
-        *command, options->format, {"table", "csv", "json", "markdown"},
-        "table, csv or json; with --hard also markdown");
+    add_format_option(*command, options->format, {"table", "csv", "json"});
     command->footer("Example: jointwise bench andrews --method explicit-8 --picture andrews.png");
     command->callback([options, &streams, &run] {
         run = [options, &streams] { return bench_command(*options, streams); };

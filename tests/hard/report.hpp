@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "tests/hard/hard_case.hpp"
+
+/// Hard cases in words and numbers.
+namespace jw::hard {
+
+/// Text of a case and its result for a terminal.
+std::string text_of(const Case& hard_case, const Result& result);
+
+/// A section of docs/hard-cases.md. Numbers with two digits: what is rounding differs between machines.
+std::string markdown_of(const Case& hard_case, const Result& result);
+
+/// Introduction of docs/hard-cases.md.
+std::string markdown_head();
+
+}  // namespace jw::hard
