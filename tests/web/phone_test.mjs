@@ -23,7 +23,11 @@ class Finger {
   }
   async drag(x, from, to) {
     await this.send("touchStart", [x, from]);
-    for (let y = from; Math.abs(y - to) >= 5; y += 5 * Math.sign(to - from)) { await this.send("touchMove", [x, y]); }
+    for (let y = from; Math.abs(y - to) >= 5; y += 5 * Math.sign(to - from)) {
+      await this.send("touchMove", [x, y]);
+      // a screen tells where a finger is once in a frame, however long that takes
+      await this.v.tab.evaluate(() => new Promise((next) => requestAnimationFrame(next)));
+    }
     await this.send("touchEnd");
     await this.v.rest();
   }
