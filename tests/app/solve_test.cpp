@@ -17,6 +17,14 @@ std::vector<std::string> split(const std::string& line, char separator) {
     return parts;
 }
 
+/// Text of a row of CSV, from 0 on, under a name.
+std::string cell(const Ran& ran, int row, const std::string& name) {
+    const std::vector<std::string> lines = split(ran.out, '\n');
+    const std::vector<std::string> header = split(lines.at(0), ',');
+    const auto column = std::ranges::find(header, name) - header.begin();
+    return split(lines.at(static_cast<std::size_t>(row) + 1), ',').at(static_cast<std::size_t>(column));
+}
+
 /// A free sphere on a ball joint, started with a spin, nothing driven.
 constexpr const char* kUndriven = R"(format = 1
 title = "Not driven"
@@ -297,10 +305,7 @@ duration = 1
         arguments.insert(arguments.end(), experiment.begin(), experiment.end());
         const Ran ran = run(arguments);
         REQUIRE(ran.status == 0);
-        const std::vector<std::string> lines = split(ran.out, '\n');
-        const std::vector<std::string> header = split(lines.at(0), ',');
-        const auto at = std::ranges::find(header, "low.force.z") - header.begin();
-        return split(lines.at(1), ',').at(static_cast<std::size_t>(at));
+        return cell(ran, 0, "low.force.z");
     };
     // two hinges share the weight, and nothing says how
     CHECK(reaction({}).empty());
@@ -309,7 +314,8 @@ duration = 1
 
 TEST_CASE("A spring about a driven joint is twisted by whole turns, too", "[app][solve]") {
     const Folder folder;
-    const std::string lesson = R"(format = 1
+    const auto lesson = [](const std::string& type, const std::string& more) {
+        return R"(format = 1
 title = "Wound up"
 [[body]]
 name = "drum"
@@ -317,17 +323,19 @@ mass = 2
 inertia = [0.1, 0.1, 0.1]
 [[joint]]
 name = "axle"
-type = "revolute"
+type = ")" + type +
+               R"("
 bodies = ["ground", "drum"]
 at = [0, 0, 0]
 axis = [0, 0, 1]
+)" + more + R"(
 [[driver]]
 name = "motor"
 joint = "axle"
 quantity = "angle"
 polynomial_deg = [0, 90]
 [motion]
-to_s = 6
+to_s = 24
 [dynamics]
 duration = 1
 [[rotational_spring]]
@@ -335,25 +343,30 @@ joint = "axle"
 stiffness = 3
 free_angle_deg = 40
 )";
-    // 3 N m/rad times 320 deg, in one interval and in a claim
-    const double twist = 320.0 * std::numbers::pi / 180.0;
-    const std::string file = folder.file("wound.toml", lesson);
-    const Ran ran = run(
-        {"solve", file, "--from", "0", "--to", "4", "--step", "4", "--quantities",
-         "energy.potential,motor.effort"});
-    REQUIRE(ran.status == 0);
-    const std::vector<std::string> lines = split(ran.out, '\n');
-    const std::vector<std::string> header = split(lines.at(0), ',');
-    const auto value = [&](const std::string& name) {
-        const auto at = std::ranges::find(header, name) - header.begin();
-        return std::stod(split(lines.at(2), ',').at(static_cast<std::size_t>(at)));
     };
-    CHECK(value("motor.effort") == Approx(3.0 * twist));
-    CHECK(value("energy.potential") == Approx(1.5 * twist * twist));
-    const std::string claim =
-        "[[expect]]\nat_s = 4\nof = \"motion\"\nquantity = \"motor.effort\"\nvalue = "
-        "16.7551608191456\ntolerance = 1e-9\n";
-    CHECK(run({"check", folder.file("claim.toml", lesson + claim)}).status == 0);
+    const std::string rail =
+        "[[driver]]\nname = \"rail\"\njoint = \"axle\"\nquantity = \"displacement\"\npolynomial = [0]";
+    for (const auto& [type, more] :
+         {std::pair<std::string, std::string>("revolute", ""),
+          {"cylindrical", rail},
+          {"screw", "pitch = 0.01"}}) {
+        CAPTURE(type);
+        const std::string file = folder.file(type + ".toml", lesson(type, more));
+        const Ran ran = run(
+            {"solve", file, "--from", "0", "--to", "24", "--step", "8", "--quantities",
+             "energy.potential,motor.effort"});
+        REQUIRE(ran.status == 0);
+        for (int k = 0; k < 4; ++k) {
+            // 3 N m/rad, 90 deg/s, and 40 deg without torque
+            const double twist = (720.0 * k - 40.0) * std::numbers::pi / 180.0;
+            CHECK(std::stod(cell(ran, k, "motor.effort")) == Approx(3.0 * twist));
+            CHECK(std::stod(cell(ran, k, "energy.potential")) == Approx(1.5 * twist * twist));
+        }
+        const std::string claim =
+            "[[expect]]\nat_s = 4\nof = \"motion\"\nquantity = \"motor.effort\"\nvalue = "
+            "16.7551608191456\ntolerance = 1e-9\n";
+        CHECK(run({"check", folder.file("claim.toml", lesson(type, more) + claim)}).status == 0);
+    }
 }
 
 }  // namespace jw::test

@@ -13,7 +13,8 @@ namespace jw {
 /// that was taken out, and a driver that was taken out holds a point of the ground where it is.
 Mechanism taking_part(const Lesson& lesson);
 
-/// What takes part with its masses and loads, for energies and reactions; null for a lesson without dynamics.
+/// Scene of what takes part, with its masses and loads, for energies and reactions; null for a lesson without
+/// dynamics.
 std::shared_ptr<const Centroidal> scene_of(const Lesson& lesson);
 
 /// The scene at a frame of a driven motion: its rotational springs are twisted by what their joints have
