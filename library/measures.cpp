@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/kinematics/joint_angles.hpp"
+#include "core/motion/spring_turns.hpp"
 #include "core/quantity/evaluate.hpp"
 #include "core/quantity/names.hpp"
 #include "library/convert.hpp"
@@ -128,18 +129,16 @@ Eigen::VectorXd Quantities::at(const Moment& moment) const {
 
 Table Quantities::along(const Trajectory& trajectory) const {
     Table table(trajectory.times(), static_cast<Eigen::Index>(inside_->list.size()));
-    // a separate scene, which counts turns
-    const auto scene = inside_->scene ? std::make_shared<jw::Centroidal>(*inside_->scene) : nullptr;
     jw::FollowedAngles angles(inside_->data());
+    std::optional<jw::SpringTurns> springs;
     for (int k = 0; k < trajectory.times(); ++k) {
         jw::Instant instant = instant_of(inside_->data(), trajectory.moment(k));
-        if (k == 0) { angles.begin(instant.t, instant.state, instant.velocity, *instant.acceleration); }
-        if (k > 0) { angles.reach(instant.t, instant.state, instant.velocity, *instant.acceleration); }
+        const bool begins = k == 0;
+        if (begins) { angles.begin(instant.t, instant.state, instant.velocity, *instant.acceleration); }
+        if (!begins) { angles.reach(instant.t, instant.state, instant.velocity, *instant.acceleration); }
         instant.turns = angles.turns();
-        if (scene && !scene->loads.rotational_springs.empty()) {
-            const jw::State state = scene->to_centroidal(instant.state);
-            jw::count_turns(scene->loads, jw::kinematics_of(state));
-        }
+        if (begins) { springs.emplace(inside_->scene, instant.state, instant.turns); }
+        const auto scene = springs->at(instant.state, instant.turns);
         inside_->evaluate(std::move(instant), scene, table.row(k).data());
     }
     return table;

@@ -9,6 +9,7 @@
 #include "app/session/story/taking_part.hpp"
 #include "app/session/view/inspection.hpp"
 #include "app/session/wording/explanations.hpp"
+#include "core/motion/spring_turns.hpp"
 #include "core/numerics/variants.hpp"
 
 namespace jw {
@@ -110,7 +111,7 @@ void ClaimPoses::follow_motion() {
     }
     System system = *start.instant.system;
     MotionTracker tracker(system, start.instant.state, plan.from);
-    const MotionFrame begin = tracker.frame();
+    const SpringTurns springs(scene_, tracker.frame().state, tracker.frame().turns);
     std::string failure;
     for (const double t : times) {
         if (failure.empty() && !tracker.advance_to(t)) { failure = failure_text(system, *tracker.failure()); }
@@ -122,7 +123,7 @@ void ClaimPoses::follow_motion() {
         pose.instant.turns = frame.turns;
         pose.instant.acceleration = frame.acceleration;
         pose.instant.t = t;
-        pose.instant.scene = scene_at(scene_, begin, frame);
+        pose.instant.scene = springs.at(frame.state, frame.turns);
         pose.change_point = frame.change_point;
         pose.failure = failure;
     }

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "core/kinematics/motion_tracker.hpp"
 #include "core/motion/loads.hpp"
 #include "lessons/lesson/lesson.hpp"
 
@@ -16,10 +15,5 @@ Mechanism taking_part(const Lesson& lesson);
 /// Scene of what takes part, with its masses and loads, for energies and reactions; null for a lesson without
 /// dynamics.
 std::shared_ptr<const Centroidal> scene_of(const Lesson& lesson);
-
-/// The scene at a frame of a driven motion: its rotational springs are twisted by what their joints have
-/// turned since the frame `begin`. Null for null.
-std::shared_ptr<const Centroidal> scene_at(
-    const std::shared_ptr<const Centroidal>& scene, const MotionFrame& begin, const MotionFrame& frame);
 
 }  // namespace jw

@@ -10,6 +10,7 @@
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/equations/assembler.hpp"
+#include "core/motion/spring_turns.hpp"
 #include "core/quantity/evaluate.hpp"
 #include "core/quantity/quantity.hpp"
 
@@ -196,7 +197,7 @@ Sweep solve_sweep(
     }
     sweep.columns = columns_of(list, plan, lesson.mechanism);
     const std::vector<double> times = times_of(plan);
-    const MotionFrame begin = tracker.frame();
+    const SpringTurns springs(scene, tracker.frame().state, tracker.frame().turns);
     for (std::size_t k = 0; k < times.size(); ++k) {
         bool switched = false;
         if (!advance_along(tracker, lesson, times[k], switched)) {
@@ -204,8 +205,8 @@ Sweep solve_sweep(
             break;
         }
         if (recorder) { recorder->add(tracker.frame()); }
-        sweep.rows.push_back(
-            row_of(system, tracker.frame(), plan, list, scene_at(scene, begin, tracker.frame())));
+        sweep.rows.push_back(row_of(
+            system, tracker.frame(), plan, list, springs.at(tracker.frame().state, tracker.frame().turns)));
         if (!sweep.rows.back().consistent && sweep.contradiction.empty()) {
             sweep.contradiction = contradiction_at(system, tracker.frame());
         }

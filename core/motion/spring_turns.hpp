@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/motion/loads.hpp"
+
+namespace jw {
+
+/// Twists of rotational springs along a motion whose joints have their turns counted (FollowedAngles): its
+/// poses may lie several turns of a spring apart.
+class SpringTurns {
+public:
+    /// @param scene may be null
+    /// @param begin pose at which the count begins, see begin_turns
+    /// @param turns whole turns of every joint there
+    SpringTurns(std::shared_ptr<const Centroidal> scene, const State& begin, const std::vector<int>& turns);
+
+    /// The scene at another pose of the motion; null for null.
+    std::shared_ptr<const Centroidal> at(const State& state, const std::vector<int>& turns) const;
+
+private:
+    struct Turning {
+        std::size_t joint = 0;
+        int theta = -1;      ///< index of its θ, which includes turns
+        double begin = 0.0;  ///< angle at the begin, with turns [rad]
+    };
+    double angle_of(const Turning& turning, const State& state, const std::vector<int>& turns) const;
+
+    std::shared_ptr<const Centroidal> scene_;  ///< twisted as at the begin
+    std::vector<Turning> turning_;             ///< one per rotational spring
+};
+
+}  // namespace jw
