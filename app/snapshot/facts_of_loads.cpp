@@ -41,6 +41,10 @@ void add_function(
         part(which + " · start", step.start, "s");
         part(which + " · end", step.end, "s");
     }
+    if (function.formula) {
+        facts.text(Weight::pose, name + " · formula", function.formula->formula.source);
+        part("unit of the formula", factor * function.formula->unit, unit);
+    }
     if (!function.table) { return; }
     const TimeTable& table = *function.table;
     facts.text(Weight::pose, name + " · between values", word_of(kInterpolations, table.interpolation));
@@ -57,7 +61,7 @@ template <class Load>
 void add_vector(const Load& load, const std::string& name, const std::string& unit, FactList& facts) {
     facts.text(Weight::pose, name + " · frame", word_of(kFrames, load.frame));
     const TimeFunction& magnitude = load.magnitude;
-    if (magnitude.harmonics.empty() && magnitude.steps.empty() && !magnitude.table &&
+    if (magnitude.harmonics.empty() && magnitude.steps.empty() && !magnitude.table && !magnitude.formula &&
         magnitude.polynomial.size() == 1) {
         facts.given(Weight::pose, name, magnitude.polynomial.front() * load.direction, unit);
         return;
@@ -84,6 +88,14 @@ void add_forces(const Loads& loads, const Mechanism& mechanism, FactList& facts)
     }
 }
 
+void add_friction(
+    const DryFriction& friction, const std::string& name, const char* force, const char* rate,
+    FactList& facts) {
+    if (friction == DryFriction{}) { return; }
+    facts.given(Weight::pose, name + " · friction", friction.size, force);
+    facts.given(Weight::pose, name + " · speed of friction", friction.speed, rate);
+}
+
 void add_spring(const Spring& spring, const std::string& name, FactList& facts) {
     facts.given(Weight::pose, name + " · from", spring.P_i_local, "m");
     facts.given(Weight::pose, name + " · to", spring.P_j_local, "m");
@@ -91,12 +103,16 @@ void add_spring(const Spring& spring, const std::string& name, FactList& facts) 
     if (spring.s_i_local) { facts.given(Weight::pose, name + " · axis", *spring.s_i_local, ""); }
     facts.given(Weight::pose, name + " · free length", spring.free_length, "m");
     facts.given(Weight::pose, name + " · damping", spring.damping, "N s/m");
+    add_friction(spring.friction, name, "N", "m/s", facts);
+    if (spring.law) { facts.text(Weight::pose, name + " · law", spring.law->source); }
 }
 
 void add_spring(const RotationalSpring& spring, const std::string& name, FactList& facts) {
     facts.given(Weight::pose, name + " · stiffness", spring.stiffness, "N m/rad");
     facts.given(Weight::pose, name + " · free angle", spring.free_angle, "rad");
     facts.given(Weight::pose, name + " · damping", spring.damping, "N m s/rad");
+    add_friction(spring.friction, name, "N m", "rad/s", facts);
+    if (spring.law) { facts.text(Weight::pose, name + " · law", spring.law->source); }
 }
 
 template <class Springs>

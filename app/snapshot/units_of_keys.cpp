@@ -13,7 +13,8 @@ namespace jw::snapshot {
 namespace {
 
 /// Values of a function of time, in the unit of the function.
-constexpr std::array<std::string_view, 5> kValues{"polynomial", "amplitude", "from", "to", "values"};
+constexpr std::array<std::string_view, 6> kValues{"polynomial", "amplitude", "from",
+                                                  "to",         "values",    "formula"};
 
 }  // namespace
 

@@ -194,10 +194,9 @@ Baumgarte Simulation::stabilisation() const {
     return {settings_.baumgarte, settings_.baumgarte};
 }
 
-/// Pure damping does not depend on the angle, so only springs with stiffness need turns.
+/// Pure damping does not depend on the angle, so only springs with stiffness or a law need turns.
 bool Simulation::counts_turns() const {
-    return std::ranges::any_of(
-        scene_.loads.rotational_springs, [](const auto& spring) { return spring.stiffness != 0.0; });
+    return std::ranges::any_of(scene_.loads.rotational_springs, &RotationalSpring::depends_on_angle);
 }
 
 void Simulation::count_turns_at(const std::vector<double>& y) {

@@ -10,6 +10,7 @@
 #include "core/integrate/simulation_settings.hpp"
 #include "core/kinematics/joint_angles.hpp"
 #include "core/motion/forces.hpp"
+#include "core/motion/time_events.hpp"
 
 /// Simulation of a mechanism under its loads from t = 0 on, by any of the methods.
 namespace jw {
@@ -202,7 +203,7 @@ private:
     double proved_until_ = 0.0;           ///< [s]
     std::vector<double> proved_;          ///< state at that time, in coordinates of the joints; else unused
     IntegrationCounts counts_in_joints_;  ///< counts of a run that has left them
-    std::vector<double> events_;          ///< times ahead at which steps end [s], the next one last
+    std::vector<TimeEvent> events_;       ///< times ahead at which steps end, the next one last
     std::unique_ptr<TimeStepper> stepper_;
     std::unique_ptr<Sampler> sampler_;
     std::unique_ptr<Certificate> certificate_;

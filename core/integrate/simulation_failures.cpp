@@ -152,7 +152,7 @@ std::optional<SimulationFailure> Simulation::failure_of_turns(double t, const st
         const Measured angle =
             evaluate_measure(spring.angle, spring.body_i, spring.body_j, -1, state, motion, none);
         const double turn = settings_.step * std::abs(angle.rate);
-        if (spring.stiffness == 0.0 || turn <= std::max(most, failure.turn)) { continue; }
+        if (!spring.depends_on_angle() || turn <= std::max(most, failure.turn)) { continue; }
         failure.turn = turn;
         const auto joint = std::ranges::find_if(
             scene_.mechanism.joints, [&](const Joint& of) { return acts_about(spring, of); });

@@ -34,7 +34,7 @@ SimulationRun::SimulationRun(
     }
     // fixed steps do not stop at events
     const bool adaptive = entry_of(simulation.settings_.method).adaptive;
-    events_ = adaptive ? events_until(end_, simulation.scene_) : std::vector{end_};
+    events_ = adaptive ? events_until(end_, simulation.scene_) : std::vector{TimeEvent{end_, true}};
     std::ranges::reverse(events_);
 }
 
@@ -82,17 +82,17 @@ bool SimulationRun::go_on_with_bodies() {
 }
 
 bool SimulationRun::goes_on() const {
-    return stepper_->t() < events_.back() && !outcome_.failure && !sampler_->ended();
+    return stepper_->t() < events_.back().t && !outcome_.failure && !sampler_->ended();
 }
 
 bool SimulationRun::step() {
     while (!events_.empty() && !goes_on()) {
-        sampler_->begin_anew();
+        if (events_.back().jumps) { sampler_->begin_anew(); }
         events_.pop_back();
     }
     if (events_.empty()) { return false; }
     const AccelerationResidual proved = outcome_.residual;
-    outcome_.failure = simulation_->failure_of_step(*stepper_, events_.back(), end_);
+    outcome_.failure = simulation_->failure_of_step(*stepper_, events_.back().t, end_);
     if (!outcome_.failure) {
         outcome_.failure = simulation_->failure_of_proof(*certificate_, *stepper_, outcome_.residual);
     }

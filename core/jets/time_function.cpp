@@ -56,6 +56,13 @@ void add_table(TimeFunction::Value& value, const TimeTable& table, double t) {
     value.f_ddot += 2.0 * c[2] + u * 6.0 * c[3];
 }
 
+void add_formula(TimeFunction::Value& value, const TimeFormula& formula, double t) {
+    const auto [f, f_dot, half_f_ddot] = formula.taylor_at(t);
+    value.f += f;
+    value.f_dot += f_dot;
+    value.f_ddot += 2.0 * half_f_ddot;
+}
+
 using TaylorBounds = std::array<double, 5>;
 
 void bound_polynomial(TaylorBounds& bounds, const std::vector<double>& coefficients, double largest_t) {
@@ -95,9 +102,11 @@ std::array<double, 5> TimeFunction::taylor_bounds(double from, double to) const 
     bound_polynomial(bounds, polynomial, std::max(std::abs(from), std::abs(to)));
     for (const Harmonic& harmonic : harmonics) { bound_harmonic(bounds, harmonic); }
     for (const SmoothStep& step : steps) { bound_step(bounds, step, from, to); }
-    if (table) {
-        std::ranges::transform(bounds, table->taylor_bounds(from, to), bounds.begin(), std::plus<>());
-    }
+    const auto add = [&](const TaylorBounds& part) {
+        std::ranges::transform(bounds, part, bounds.begin(), std::plus<>());
+    };
+    if (table) { add(table->taylor_bounds(from, to)); }
+    if (formula) { add(formula->taylor_bounds(from, to)); }
     return bounds;
 }
 
@@ -112,6 +121,7 @@ TimeFunction::Value TimeFunction::at(double t) const {
     for (const Harmonic& harmonic : harmonics) { add_harmonic(value, harmonic, t); }
     for (const SmoothStep& step : steps) { add_step(value, step, t); }
     if (table) { add_table(value, *table, t); }
+    if (formula) { add_formula(value, *formula, t); }
     return value;
 }
 

@@ -4,12 +4,13 @@
 #include <optional>
 #include <vector>
 
+#include "core/jets/time_formula.hpp"
 #include "core/jets/time_table.hpp"
 
 /// A function of time with its two derivatives, for drivers.
 namespace jw {
 
-/// Sum of a polynomial, harmonics, smooth steps and a table; every part may be absent.
+/// Sum of a polynomial, harmonics, smooth steps, a table and a formula; every part may be absent.
 struct TimeFunction {
     struct Harmonic {
         double amplitude = 0.0;
@@ -38,6 +39,7 @@ struct TimeFunction {
     std::vector<Harmonic> harmonics = {};  ///< Σ a sin(ω t + phase)
     std::vector<SmoothStep> steps = {};
     std::optional<TimeTable> table = {};
+    std::optional<TimeFormula> formula = {};
 
     Value at(double t) const;
     /// Appends the times at which a smooth step begins or ends, and those of the table.

@@ -1,5 +1,6 @@
 #include "core/motion/forces.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -75,17 +76,23 @@ void add_applied(const Loads& loads, Bodies bodies, double t, Forces forces) {
     }
 }
 
+double force_of(const std::optional<ScalarFormula>& law, double value, double rate) {
+    return law ? law->at(std::array{value, rate}) : 0.0;
+}
+
 void add_springs(const Loads& loads, Bodies bodies, Forces forces) {
     for (const Spring& spring : loads.springs) {
         const Stretch s = stretch_of(spring, bodies);
-        const Vec3 f =
-            (spring.stiffness * (s.length - spring.free_length) + spring.damping * s.rate) * s.along;
+        const double pull = spring.stiffness * (s.length - spring.free_length) + spring.damping * s.rate;
+        const Vec3 f = (pull + spring.friction.at(s.rate) + force_of(spring.law, s.length, s.rate)) * s.along;
         push(bodies, forces, spring.body_i, s.end_i_local, f);
         push(bodies, forces, spring.body_j, spring.P_j_local, -f);
     }
     for (const RotationalSpring& spring : loads.rotational_springs) {
         const Twist twist = twist_of(spring, bodies);
-        const double torque = -spring.stiffness * twist.angle - spring.damping * twist.rate;
+        const double torque = -spring.stiffness * twist.angle - spring.damping * twist.rate -
+                              spring.friction.at(twist.rate) -
+                              force_of(spring.law, twist.angle + spring.free_angle, twist.rate);
         const Vec3 n_local = torque * spring.angle.s_i_local;
         const auto& i = bodies[at(spring.body_i)];
         const auto& j = bodies[at(spring.body_j)];
@@ -119,6 +126,37 @@ SpringSpan span_of(const Spring& spring, Bodies bodies) {
     return {
         j.r + j.A * spring.P_j_local - i.r - i.A * spring.P_i_local,
         j.r_dot + j.A_dot * spring.P_j_local - i.r_dot - i.A_dot * spring.P_i_local};
+}
+
+double size_of(const Spring& spring, Bodies bodies) {
+    const Stretch s = stretch_of(spring, bodies);
+    return spring.stiffness * (span_of(spring, bodies).d.norm() + std::abs(spring.free_length)) +
+           (spring.law ? spring.law->size_at(std::array{s.length, s.rate}) : 0.0);
+}
+
+double size_of(const RotationalSpring& spring) {
+    const double angle = spring.twist_before + spring.free_angle;
+    return spring.stiffness * (1.0 + std::abs(spring.twist_before) + std::abs(spring.free_angle)) +
+           (spring.law ? spring.law->size_at(std::array{angle, 0.0}) : 0.0);
+}
+
+bool linearise_laws(Loads& loads, Bodies bodies) {
+    bool is_smooth = true;
+    const auto linearise = [&](std::optional<ScalarFormula>& law, double x) {
+        if (!law) { return; }
+        is_smooth = is_smooth && law->is_smooth_at(x);
+        using Kind = FormulaStep::Kind;
+        const auto [value, by_x, by_rate] = law->slopes_at(x);
+        law->steps = {{Kind::number, value}, {Kind::number, by_x},    {Kind::variable, 0.0},
+                      {Kind::number, x},     {Kind::difference, 0.0}, {Kind::product, 0.0},
+                      {Kind::sum, 0.0},      {Kind::number, by_rate}, {Kind::variable, 1.0},
+                      {Kind::product, 0.0},  {Kind::sum, 0.0}};
+    };
+    for (Spring& spring : loads.springs) { linearise(spring.law, stretch_of(spring, bodies).length); }
+    for (RotationalSpring& spring : loads.rotational_springs) {
+        linearise(spring.law, twist_of(spring, bodies).angle + spring.free_angle);
+    }
+    return is_smooth;
 }
 
 void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {
@@ -156,12 +194,15 @@ double potential_energy(const Loads& loads, Bodies bodies) {
         if (loads.masses[b]) { energy -= loads.masses[b]->mass * loads.gravity.dot(bodies[b].r); }
     }
     for (const Spring& spring : loads.springs) {
-        const double stretch = stretch_of(spring, bodies).length - spring.free_length;
-        energy += 0.5 * spring.stiffness * stretch * stretch;
+        const double length = stretch_of(spring, bodies).length;
+        const double stretch = length - spring.free_length;
+        energy += 0.5 * spring.stiffness * stretch * stretch +
+                  (spring.law ? spring.law->integral(spring.free_length, length) : 0.0);
     }
     for (const RotationalSpring& spring : loads.rotational_springs) {
         const double angle = twist_of(spring, bodies).angle;
-        energy += 0.5 * spring.stiffness * angle * angle;
+        energy += 0.5 * spring.stiffness * angle * angle +
+                  (spring.law ? spring.law->integral(spring.free_angle, spring.free_angle + angle) : 0.0);
     }
     return energy;
 }

@@ -27,6 +27,15 @@ struct SpringSpan {
 };
 SpringSpan span_of(const Spring& spring, std::span<const BodyKinematics<OmegaLocal>> bodies);
 
+/// Size of the terms whose difference is the force of a spring [N], or its torque [N m]: rounding of the
+/// force is relative to it. Turns of the rotational spring are counted up to this state.
+double size_of(const Spring& spring, std::span<const BodyKinematics<OmegaLocal>> bodies);
+double size_of(const RotationalSpring& spring);
+
+/// Replaces the laws of springs by what they are to first order about rest at these poses.
+/// @return false if one has no rate there, or so near that rounding hides on which side of a kink it is
+bool linearise_laws(Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
+
 /// Adds gravity, forces, torques, springs and dampers at time `t` [s]. Allocates nothing.
 /// @param loads centroidal, see Centroidal
 /// @param bodies one per body of the mechanism, fixed ones included, with their motion set
@@ -64,7 +73,8 @@ struct Energy {
 /// Energies at a state and a motion of the centroidal frames.
 Energy energy_of(const Centroidal& scene, const State& state, const Motion& motion);
 
-/// Potential energy of gravity and of all springs [J]; applied forces and torques have none.
+/// Potential energy of gravity and of all springs [J]; applied forces and torques have none. A law stores
+/// what it does at rest, from the free length or angle on.
 double potential_energy(const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
 
 }  // namespace jw

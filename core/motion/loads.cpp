@@ -49,6 +49,12 @@ void move(Measure& measure, const Vec3& centre_i, const Vec3& centre_j) {
 
 }  // namespace
 
+Loads without_friction(Loads loads) {
+    for (Spring& spring : loads.springs) { spring.friction = {}; }
+    for (RotationalSpring& spring : loads.rotational_springs) { spring.friction = {}; }
+    return loads;
+}
+
 bool acts_about(const RotationalSpring& spring, const Joint& joint) {
     if (!joint.type->has_angle()) { return false; }
     const AngleMeasure angle = angle_of(joint);

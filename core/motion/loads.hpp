@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -37,8 +38,20 @@ struct AppliedTorque {
     int against = -1;        ///< body that the opposite torque acts on; -1: none
 };
 
-/// Spring and damper between two points: f = k (ℓ - ℓ0) + c ℓ̇, pulling when positive. With an axis, ℓ is the
-/// displacement along it, which may be negative, and f acts along it at the point of body j.
+/// Dry friction, made smooth: `size` v / √(v² + speed²) against a rate v. It is `size` times 0.71 at `speed`,
+/// 0.995 at ten times that. At rest it holds nothing: a smaller load P moves it at
+/// speed (P / size) / √(1 - (P / size)²).
+struct DryFriction {
+    double size = 0.0;   ///< [N], or [N m] about an axis
+    double speed = 1.0;  ///< > 0 [m/s], or [rad/s]
+
+    bool operator==(const DryFriction&) const = default;
+    double at(double rate) const { return size * (rate / std::sqrt(rate * rate + speed * speed)); }
+};
+
+/// Spring and damper between two points: f = k (ℓ - ℓ0) + c ℓ̇ + friction + law, pulling when positive. With
+/// an axis, ℓ is the displacement along it, which may be negative, and f acts along it at the point of body
+/// j.
 struct Spring {
     int body_i = 0;
     int body_j = 0;
@@ -48,16 +61,24 @@ struct Spring {
     double free_length = 0.0;                      ///< ℓ0 [m]
     double damping = 0.0;                          ///< c [N s/m]
     std::optional<Vec3> s_i_local = std::nullopt;  ///< unit axis fixed in body i
+    DryFriction friction = {};                     ///< against ℓ̇
+    std::optional<ScalarFormula> law = {};         ///< force that is added [N], of ℓ [m] and ℓ̇ [m/s]
 };
 
-/// Spring and damper about the axis of a joint: torque -k (θ - θ0) - c θ̇ from body i on body j.
+/// Spring and damper about the axis of a joint: torque -k (θ - θ0) - c θ̇ - friction - law from body i on body
+/// j.
 struct RotationalSpring {
     int body_i = 0;
     int body_j = 0;
     AngleMeasure angle;
-    double stiffness = 0.0;   ///< k [N m/rad]
-    double free_angle = 0.0;  ///< θ0 [rad]; beyond half a turn it includes turns, see begin_turns
-    double damping = 0.0;     ///< c [N m s/rad]
+    double stiffness = 0.0;     ///< k [N m/rad]
+    double free_angle = 0.0;    ///< θ0 [rad]; beyond half a turn it includes turns, see begin_turns
+    double damping = 0.0;       ///< c [N m s/rad]
+    DryFriction friction = {};  ///< against θ̇
+    std::optional<ScalarFormula> law =
+        {};  ///< torque against θ [N m], of θ with its turns [rad] and θ̇ [rad/s]
+    bool depends_on_angle() const { return stiffness != 0.0 || law; }
+
     /// θ - θ0 at the last state of the motion [rad]. Poses determine it up to whole turns only; the turns are
     /// counted from here. `centroidal` starts the count at the start pose.
     double twist_before = 0.0;
@@ -77,6 +98,9 @@ struct Loads {
     std::vector<Spring> springs;
     std::vector<RotationalSpring> rotational_springs;
 };
+
+/// The loads without dry friction.
+Loads without_friction(Loads loads);
 
 /// Mechanism and loads with every body frame moved to the body's centre of mass, where M is block diagonal,
 /// diag(m I, J'). Orientations are unchanged.

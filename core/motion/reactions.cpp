@@ -35,14 +35,11 @@ double sizes_by_themselves(const Situation& s, std::span<const BodyKinematics<Om
     const Loads& loads = s.scene->loads;
     double sum = 0.0;
     for (const auto& mass : loads.masses) { sum += mass ? mass->mass * loads.gravity.norm() : 0.0; }
-    for (const Spring& spring : loads.springs) {
-        sum += spring.stiffness * (span_of(spring, bodies).d.norm() + std::abs(spring.free_length));
-    }
-    for (const RotationalSpring& spring : loads.rotational_springs) {
-        sum += spring.stiffness * (std::abs(spring.twist_before) + std::abs(spring.free_angle)) / s.length;
-    }
+    for (const Spring& spring : loads.springs) { sum += size_of(spring, bodies); }
+    for (const RotationalSpring& spring : loads.rotational_springs) { sum += size_of(spring) / s.length; }
     return sum;
 }
+
 Needed needed_wrenches(const Situation& s, const Motion& velocity, const Motion& acceleration) {
     const Loads& loads = s.scene->loads;
     std::vector<BodyKinematics<OmegaLocal>> bodies(s.bodies.size());

@@ -50,7 +50,8 @@ struct Reactions {
     /// Part of M q̈ - Q that no reaction explains, divided by |M q̈| + |Q|: 0 for accelerations that satisfy
     /// the equations of motion.
     double residual = 0.0;
-    /// The same part, relative to the sizes of all loads by themselves: they may cancel each other.
+    /// Part of M q̈ - Q that no reaction explains, divided by the sizes of all loads by themselves: they may
+    /// cancel each other.
     double residual_of_loads = 0.0;
     /// Bound on `residual` from the rounding of accelerations and wrenches and from the violation of the
     /// constraints. A larger residual means that the accelerations do not satisfy the equations of motion.

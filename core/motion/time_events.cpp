@@ -9,6 +9,9 @@ namespace jw {
 
 namespace {
 
+// nearer times are rounding of one
+constexpr double kSameTime = 1e-12;
+
 /// Calls `f` with every function of time that moves the scene.
 template <class F>
 void for_each_function(const Centroidal& scene, F&& f) {
@@ -19,16 +22,30 @@ void for_each_function(const Centroidal& scene, F&& f) {
 
 }  // namespace
 
-std::vector<double> events_until(double end, const Centroidal& scene) {
-    std::vector<double> events;
-    for_each_function(scene, [&](const TimeFunction& function) { function.append_kinks(events); });
-    std::erase_if(events, [&](double t) { return t <= 0.0 || t >= end; });
-    events.push_back(end);
-    std::ranges::sort(events);
-    const auto same = [&](double a, double b) { return b - a <= 1e-12 * end; };
-    events.erase(std::unique(events.begin(), events.end(), same), events.end());
-    events.back() = end;
-    return events;
+std::vector<TimeEvent> events_until(double end, const Centroidal& scene) {
+    std::vector<double> jumps;
+    std::vector<double> swings;
+    for_each_function(scene, [&](const TimeFunction& function) {
+        function.append_kinks(jumps);
+        if (function.formula) { function.formula->append_swings(0.0, end, swings); }
+    });
+    std::vector<TimeEvent> events;
+    const auto add = [&](double t, bool is_jump) {
+        if (t > 0.0 && t < end) { events.push_back({t, is_jump}); }
+    };
+    for (const double t : jumps) { add(t, true); }
+    for (const double t : swings) { add(t, false); }
+    // of those at one time, the one with a jump stays
+    std::ranges::stable_sort(events, {}, &TimeEvent::t);
+    std::vector<TimeEvent> apart;
+    for (const TimeEvent& event : events) {
+        const bool is_same = !apart.empty() && event.t - apart.back().t <= kSameTime * end;
+        if (is_same) { apart.back().jumps = apart.back().jumps || event.jumps; }
+        if (!is_same) { apart.push_back(event); }
+    }
+    if (!apart.empty() && end - apart.back().t <= kSameTime * end) { apart.pop_back(); }
+    apart.push_back({end, true});
+    return apart;
 }
 
 double half_of_fastest_swing(const Centroidal& scene) {

@@ -7,8 +7,15 @@
 /// Bounds on adaptive steps from the functions of time of a scene: stages do not see what lies between them.
 namespace jw {
 
-/// Times between 0 and `end` at which a driver or a load starts or stops changing, ascending, then `end` [s].
-std::vector<double> events_until(double end, const Centroidal& scene);
+/// Time at which a step must end.
+struct TimeEvent {
+    double t = 0.0;      ///< [s]
+    bool jumps = false;  ///< a derivative of a function of time jumps there
+};
+
+/// Times between 0 and `end` at which a driver or a load starts or stops changing, or between which a formula
+/// swings at most once; ascending, then `end` [s].
+std::vector<TimeEvent> events_until(double end, const Centroidal& scene);
 
 /// Half the period of the fastest harmonic [s], infinite if there is none: in a longer step, all stages might
 /// see the same phase of it.

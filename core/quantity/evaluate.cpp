@@ -44,8 +44,7 @@ Energy energy_rate_of(
     Loads conservative = scene.loads;
     conservative.forces.clear();
     conservative.torques.clear();
-    for (Spring& spring : conservative.springs) { spring.damping = 0.0; }
-    for (RotationalSpring& spring : conservative.rotational_springs) { spring.damping = 0.0; }
+    // nothing moves in these bodies, so dampers have no force and laws that of rest
     const auto bodies = kinematics_of(state);
     std::vector<BodyForce> forces(bodies.size());
     add_forces(conservative, bodies, 0.0, forces);

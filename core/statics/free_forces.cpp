@@ -36,7 +36,7 @@ VectorX drawn(Eigen::Index size, std::mt19937& random) {
 
 FreeForces::FreeForces(const Centroidal& scene, const System& system, double t)
     : system_(&system),
-      loads_(scene.loads),
+      loads_(without_friction(scene.loads)),
       t_(t),
       length_(extent(system.mechanism())),
       assembler_(system),
@@ -98,17 +98,12 @@ void FreeForces::measure_loads() {
     loads_ = all;
     // of a spring, its length and its free length are subtracted from each other
     const auto bodies = kinematics_of(state_);
-    for (const Spring& spring : all.springs) {
-        const double length = span_of(spring, bodies).d.norm();
-        const double size = length_ * spring.stiffness * (length + std::abs(spring.free_length));
+    const auto add_to_both = [&](const auto& spring, double size) {
         sizes_[at(spring.body_i)] += size;
         sizes_[at(spring.body_j)] += size;
-    }
-    for (const RotationalSpring& spring : all.rotational_springs) {
-        const double size = spring.stiffness * (1.0 + std::abs(spring.free_angle));
-        sizes_[at(spring.body_i)] += size;
-        sizes_[at(spring.body_j)] += size;
-    }
+    };
+    for (const Spring& spring : all.springs) { add_to_both(spring, length_ * size_of(spring, bodies)); }
+    for (const RotationalSpring& spring : all.rotational_springs) { add_to_both(spring, size_of(spring)); }
     const std::vector<SparseRow>& rows = assembler_.sparse_jacobian().rows;
     for (std::size_t k = 0; k < rows.size(); ++k) {
         for (std::size_t side = 0; side < 2; ++side) {
@@ -235,7 +230,30 @@ double FreeForces::step_along(const VectorX& columns) const {
     return kStep / largest;
 }
 
+template <class F>
+MatrixX FreeForces::with_linear_laws(F&& f) {
+    const Loads laws = loads_;
+    has_smooth_laws_ = linearise_laws(loads_, kinematics_of(state_));
+    MatrixX out = f();
+    loads_ = laws;
+    return out;
+}
+
+bool FreeForces::has_laws_of_rates() const {
+    const auto has_rate = [](const auto& spring) { return spring.law && spring.law->uses(1); };
+    return std::ranges::any_of(loads_.springs, has_rate) ||
+           std::ranges::any_of(loads_.rotational_springs, has_rate);
+}
+
 MatrixX FreeForces::stiffness() {
+    return with_linear_laws([&] { return stiffness_by_differences(); });
+}
+
+MatrixX FreeForces::damping() {
+    return with_linear_laws([&] { return damping_by_differences(); });
+}
+
+MatrixX FreeForces::stiffness_by_differences() {
     MatrixX slopes(free_.rows(), free_.cols());
     State there;
     // Q + Φqᵀ λ at a movement from here
@@ -256,7 +274,7 @@ MatrixX FreeForces::stiffness() {
     return -free_.transpose() * slopes;
 }
 
-MatrixX FreeForces::damping() const {
+MatrixX FreeForces::damping_by_differences() const {
     MatrixX C(free_.cols(), free_.cols());
     for (Eigen::Index k = 0; k < free_.cols(); ++k) {
         const Motion forwards = layout().motion_of(state_, free_.col(k));

@@ -8,7 +8,7 @@
 namespace jw {
 
 /// At a pose that satisfies the constraints: freedoms N with Φq N = 0 and Nᵀ M N = I, loads Q, multipliers λ
-/// for which Q + Φqᵀ λ is small.
+/// for which Q + Φqᵀ λ is small. Dry friction is left out: at rest it has no force.
 class FreeForces {
 public:
     /// @param system all joints, with drivers at rest; must outlive this, as `scene`
@@ -43,7 +43,11 @@ public:
     /// K = -Nᵀ ∂(Q + Φqᵀ λ)/∂q N, from four poses per freedom [1/s²].
     MatrixX stiffness();
     /// C = -Nᵀ ∂Q/∂q̇ N [1/s].
-    MatrixX damping() const;
+    MatrixX damping();
+    /// False if the law of a spring has a kink at the pose: then K and C are those of one side.
+    bool has_smooth_laws() const { return has_smooth_laws_; }
+    /// True if a law depends on a rate: unlike a damper, it can feed a motion.
+    bool has_laws_of_rates() const;
     /// Work of all loads and reactions, without their signs, along columns: what rounding of Nᵀ Q is compared
     /// with.
     double work_of_sizes(const VectorX& columns) const;
@@ -53,6 +57,11 @@ public:
 
 private:
     void find_freedoms();
+    /// Calls `f` with laws to first order: differences do not see what else they are beside the pose.
+    template <class F>
+    MatrixX with_linear_laws(F&& f);
+    MatrixX stiffness_by_differences();
+    MatrixX damping_by_differences() const;
     /// Q by columns at a pose.
     VectorX force_at(const State& state, const Motion* velocity = nullptr) const;
     VectorX mass_times(const VectorX& columns) const;
@@ -64,6 +73,7 @@ private:
 
     const System* system_;
     Loads loads_;
+    bool has_smooth_laws_ = true;
     double t_;
     double length_;
     Assembler<OmegaLocal> assembler_;

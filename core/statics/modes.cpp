@@ -184,6 +184,10 @@ SmallMotions small_motions(FreeForces& forces) {
     }
     const Stiffness stiffness = stiffness_of(forces);
     const MatrixX C = forces.damping();
+    if (!forces.has_smooth_laws()) {
+        out.at_kink = true;
+        return out;
+    }
     out.is_conservative = stiffness.is_symmetric;
     // without dampers, forces at both velocities are the same numbers
     out.is_damped = C.cwiseAbs().maxCoeff() > 0.0;
@@ -194,7 +198,8 @@ SmallMotions small_motions(FreeForces& forces) {
         size = add_any(forces, stiffness, C, out.modes);
     }
     // dampers only take energy: they change no verdict of the potential (Kelvin, Tait, Chetaev)
-    out.stability = out.is_conservative ? by_potential(stiffness) : by_rates(out.modes, size);
+    const bool may_be_fed = !out.is_conservative || (out.is_damped && forces.has_laws_of_rates());
+    out.stability = may_be_fed ? by_rates(out.modes, size) : by_potential(stiffness);
     std::ranges::stable_sort(out.modes, [](const Mode& a, const Mode& b) {
         const bool a_grows = a.s.real() > 0.0;
         const bool b_grows = b.s.real() > 0.0;

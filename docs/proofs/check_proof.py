@@ -7,9 +7,9 @@ Exit status: 0 yes, 1 no, 2 the file cannot be read."""
 import hashlib, json, sys
 from itertools import product, zip_longest
 from math import comb, inf
-from mpmath import iv
+from mpmath import iv, mp
 
-iv.prec, DEGREE = 80, 12  # bits; degree of polynomials in time: n1, a product of two vectors that turn, has this one
+iv.prec, mp.prec, DEGREE = 80, 80, 12  # bits; degree of polynomials in time: n1, a product of two vectors that turn, has this one
 LEAST_PIECE = 2.0**-6  # of a step: where its tube is not narrow enough for halves of halves, there is no proof
 REPEATED_HOLD = iv.mpf(1e-6)  # at a pose, equations that repeat others: loops are typed with six digits
 ZERO, ONE, TWO, AROUND = iv.mpf(0), iv.mpf(1), iv.mpf(2), iv.mpf([-1, 1])
@@ -95,6 +95,102 @@ class Body:
     point = lambda self, s: [x + y for x, y in zip(self.r, self.arm(s))]
 
 
+def series(poly, coefficient, size):
+    """Sum of coefficient(n) poly^n from n = 0 on, where |coefficient(n)| <= 1; size < 1 bounds the polynomial."""
+    if not size.b < 1:
+        raise Wrong("a formula changes too much over the step")
+    value, power = Poly(ZERO), Poly(ONE)
+    for n in range(40):
+        value, power = value + power.times(coefficient(n)), power * poly
+    return value + Poly(AROUND * size**40 / (ONE - size))
+
+
+def change_of(p):
+    """p = c (1 + d): d, where c is not zero."""
+    if 0 in p.c[0]:
+        raise Wrong("a formula of a driver has no value")
+    return Poly(ZERO, *p.c[1:]).times(ONE / p.c[0])
+
+
+def reciprocal(p):
+    d = change_of(p)
+    return series(d, lambda n: ONE * (-1) ** n, d.bound()).times(ONE / p.c[0])
+
+
+def logarithm(p):
+    d = change_of(p)
+    return Poly(iv.log(p.c[0])) + series(d, lambda n: ZERO if n == 0 else -ONE * (-1) ** n / n, d.bound())
+
+
+def exponential(p):
+    d = Poly(ZERO, *p.c[1:])
+    factorial = lambda n: ONE if n < 2 else factorial(n - 1) * n
+    return series(d, lambda n: ONE / factorial(n), d.bound()).times(iv.exp(p.c[0]))
+
+
+def arc_tangent(p):
+    """atan(c + d) = atan c + atan(d / (1 + c (c + d)))."""
+    c, d = p.c[0], Poly(ZERO, *p.c[1:])
+    u = d * reciprocal(Poly(ONE) + p.times(c))
+    odd = lambda n: ONE * (-1) ** (n // 2) / n if n % 2 else ZERO
+    ends = [mp.atan(mp.mpf(x)) for x in (c.a, c.b)]  # increasing; correct to a few of 80 bits
+    return Poly(iv.mpf([ends[0] - mp.mpf(2) ** -70, ends[1] + mp.mpf(2) ** -70])) + series(u, odd, u.bound())
+
+
+def power(p, n):
+    if n == int(n):
+        value = Poly(ONE)
+        for _ in range(abs(int(n))):
+            value = value * p
+        return value if n >= 0 else reciprocal(value)
+    return exponential(logarithm(p).times(iv.mpf(n)))
+
+
+def arc_sine(p):
+    return arc_tangent(p * power(Poly(ONE) - p * p, -0.5))
+
+
+def absolute(p):
+    d = change_of(p)
+    if not d.bound().b < 1:
+        raise Wrong("a formula may change its sign over the step")
+    return p if p.c[0] > 0 else p.times(-ONE)
+
+
+OF_ONE = {
+    "negative": lambda p: p.times(-ONE),
+    "sin": lambda p: p.sine_and_cosine()[0],
+    "cos": lambda p: p.sine_and_cosine()[1],
+    "tan": lambda p: p.sine_and_cosine()[0] * reciprocal(p.sine_and_cosine()[1]),
+    "arcsin": arc_sine,
+    "arccos": lambda p: Poly(iv.pi / 2) - arc_sine(p),
+    "arctan": arc_tangent,
+    "exp": exponential,
+    "ln": logarithm,
+    "sqrt": lambda p: power(p, 0.5),
+    "abs": lambda p: absolute(p),
+}
+OF_TWO = {"+": lambda p, q: p + q, "-": lambda p, q: p - q, "*": lambda p, q: p * q, "/": lambda p, q: p * reciprocal(q)}
+
+
+def formula(f, t):
+    """The steps of a formula are for a stack, which the last one leaves with its value."""
+    if isinstance(t, Grad):  # time is known: no columns
+        return Grad(formula(f, Poly(t.value)).c[0])
+    stack = []
+    for step in f["steps"]:
+        if isinstance(step, list):
+            stack.append(power(stack.pop(), step[1]))
+        elif step in OF_ONE:
+            stack.append(OF_ONE[step](stack.pop()))
+        elif step in OF_TWO:
+            q = stack.pop()
+            stack.append(OF_TWO[step](stack.pop(), q))
+        else:
+            stack.append(t if step == "t" else Poly(iv.mpf(step)))
+    return stack.pop().times(iv.mpf(f["unit"]))
+
+
 def function_of_time(f, t, span):
     value = type(t)(ZERO)
     for c in reversed(f["polynomial"]):
@@ -118,7 +214,7 @@ def function_of_time(f, t, span):
         for coefficient in reversed(c):
             sum_of_powers = sum_of_powers * u + type(t)(iv.mpf(coefficient))
         value = value + sum_of_powers
-    return value
+    return value + formula(f["formula"], t) if "formula" in f else value
 
 
 def phi(q, i, j, theta, t, span):

@@ -18,13 +18,14 @@ inline constexpr int kMostIntervals = 100000;
 inline constexpr int kMostTimes = 1000;
 
 /// Keys of a function of time. @param harmonic, step, table  tables of its terms
-constexpr std::array<Key, 4> function_of_time(
+constexpr std::array<Key, 5> function_of_time(
     std::string_view harmonic, std::string_view step, std::string_view table) {
     return {
         counted("polynomial", KeyKind::numbers, "coefficients c0, c1, c2, ... of t^k", 1, kMostCoefficients),
         in_table("harmonics", KeyKind::tables, "sines of time", harmonic),
         in_table("step", KeyKind::tables, "smooth steps from one value to another", step),
-        in_table("table", KeyKind::table, "values at given times", table)};
+        in_table("table", KeyKind::table, "values at given times", table),
+        Key{"formula", KeyKind::formula, "formula of the time t (docs/mathematics.md)"}};
 }
 
 inline std::vector<std::string> driven_quantities() {
@@ -51,11 +52,15 @@ inline constexpr std::array kDriver = joined(
         Key{"from_start", KeyKind::flag, "adds the value at the start pose"},
         Key{"text", KeyKind::words, "the author's words in its step"}},
     function_of_time("harmonic_of_driver", "smooth_step_of_driver", "values_of_driver"),
-    std::array{spelled(
-        counted(
-            "polynomial", KeyKind::numbers, "coefficients c0, c1, c2, ... of t^k of an angle", 1,
-            kMostCoefficients),
-        Spelling::angle)});
+    std::array{
+        spelled(
+            counted(
+                "polynomial", KeyKind::numbers, "coefficients c0, c1, c2, ... of t^k of an angle", 1,
+                kMostCoefficients),
+            Spelling::angle),
+        spelled(
+            {"formula", KeyKind::formula, "formula of the time t of an angle; sines are of radians"},
+            Spelling::angle)});
 
 /// @param unit  of the values; empty where another key decides it
 constexpr std::array<Key, 4> harmonic(std::string_view unit) {
@@ -157,6 +162,9 @@ inline constexpr std::array kSpring{
     Key{"joint", KeyKind::text, "instead of bodies and points: joint along whose axis it acts"},
     Key{"stiffness", KeyKind::not_negative, "k", "N/m"},
     Key{"damping", KeyKind::not_negative, "c", "N s/m"},
+    Key{"friction", KeyKind::not_negative, "dry friction against the motion", "N"},
+    Key{"friction_speed", KeyKind::positive, "rate up to which the friction grows", "m/s"},
+    Key{"law", KeyKind::formula, "formula in N that is added, of d in m and \\dot{d} in m/s"},
     Key{"free_length", KeyKind::not_negative, "length without force; default that at the start", "m"},
     Key{"free_displacement", KeyKind::number, "of a joint, likewise", "m"}};
 
@@ -164,6 +172,12 @@ inline constexpr std::array kRotationalSpring{
     required({"joint", KeyKind::text, "joint that has an angle"}),
     Key{"stiffness", KeyKind::not_negative, "k", "N m/rad"},
     Key{"damping", KeyKind::not_negative, "c", "N m s/rad"},
+    Key{"friction", KeyKind::not_negative, "dry friction against the motion", "N m"},
+    spelled(
+        {"friction_speed", KeyKind::positive, "rate up to which the friction grows"},
+        Spelling::angular_velocity),
+    Key{"law", KeyKind::formula,
+        "formula in N m that is added, of \\theta in rad and \\dot{\\theta} in rad/s"},
     spelled(
         {"free_angle", KeyKind::number, "angle without torque; default that at the start"}, Spelling::angle)};
 

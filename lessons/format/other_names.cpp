@@ -22,10 +22,11 @@ constexpr std::array kOtherNames{
     OtherName{"L", "length"}, OtherName{"anchor", "at"}, OtherName{"kind", "type"},
     OtherName{"lead", "pitch"},
     // of drivers, springs and motions
-    OtherName{"rate", "polynomial"}, OtherName{"speed", "polynomial"}, OtherName{"k", "stiffness"},
-    OtherName{"c", "damping"}, OtherName{"rest_length", "free_length"}, OtherName{"l_0", "free_length"},
-    OtherName{"l0", "free_length"}, OtherName{"g", "gravity"}, OtherName{"end", "duration"},
-    OtherName{"t_end", "duration"}, OtherName{"end", "to_s"}, OtherName{"t_end", "to_s"}};
+    OtherName{"rate", "polynomial"}, OtherName{"speed", "polynomial"}, OtherName{"expression", "formula"},
+    OtherName{"expr", "formula"}, OtherName{"k", "stiffness"}, OtherName{"c", "damping"},
+    OtherName{"rest_length", "free_length"}, OtherName{"l_0", "free_length"}, OtherName{"l0", "free_length"},
+    OtherName{"g", "gravity"}, OtherName{"end", "duration"}, OtherName{"t_end", "duration"},
+    OtherName{"end", "to_s"}, OtherName{"t_end", "to_s"}};
 
 }  // namespace
 

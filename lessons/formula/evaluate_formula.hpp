@@ -14,15 +14,14 @@
 /// Evaluates formulas as they stand on a slide. docs/writing-a-lesson.md says what can be written.
 namespace jw::formula {
 
-/// Meaning of a symbol; nothing if it is unknown.
-using Lookup = std::function<std::optional<Value>(const Symbol&)>;
-/// Meaning of the words in \text: a quantity by its name.
-using WordLookup = std::function<std::optional<Value>(const std::string&)>;
-
-struct Meanings {
-    Lookup symbol;
-    WordLookup words;
+/// Meanings of symbols, and of the words in \text: quantities by their names. Nothing for what is unknown.
+template <class V>
+struct MeaningsOf {
+    std::function<std::optional<V>(const Symbol&)> symbol;
+    std::function<std::optional<V>(const std::string&)> words;
 };
+using Meanings = MeaningsOf<Value>;
+using Lookup = decltype(Meanings::symbol);
 
 /// Difference between the sides of an equation; in a chain, the largest difference.
 struct Outcome {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/eigen/decompositions.hpp"
 #include "core/elementary/elementary.hpp"
@@ -137,6 +138,13 @@ Value length(const Value& a) {
 
 Value as_number(const Value& a) { return a.kind == Kind::zero ? literal(0.0) : a; }
 
+Value arc_tangent_of_two(const Value& y, const Value& x) {
+    if (!x.is_number() || !y.is_number()) { throw Mismatch("atan2 takes two numbers"); }
+    Value angle = number(elementary::atan2(y.d[0](0, 0), x.d[0](0, 0)));
+    angle.order = 0;
+    return angle;
+}
+
 std::optional<Value> value_of_function(const std::string& name, const Value& argument) {
     const Value x = as_number(argument);
     if (name == "det") { return determinant(x); }
@@ -154,6 +162,16 @@ std::optional<Value> value_of_function(const std::string& name, const Value& arg
         return function_of(x, elementary::atan(v), q, -2.0 * v * q * q);
     }
     if (name == "arccos") { return arc_cosine(x); }
+    if (name == "arcsin") { return difference(literal(0.5 * std::numbers::pi), arc_cosine(x)); }
+    if (name == "exp") {
+        const double e = elementary::exp(v);
+        if (!std::isfinite(e)) { throw NoValue("an exponential is beyond all numbers"); }
+        return function_of(x, e, e, e);
+    }
+    if (name == "ln") {
+        if (v <= 0.0) { throw NoValue("a logarithm is taken of a number that is not positive"); }
+        return function_of(x, elementary::log(v), 1.0 / v, -1.0 / (v * v));
+    }
     return std::nullopt;
 }
 

@@ -20,6 +20,9 @@ Value length(const Value& a);
 /// The number 0 for a zero of any shape; any other value unchanged.
 Value as_number(const Value& a);
 
+/// Angle of a vector (x, y), without derivatives.
+Value arc_tangent_of_two(const Value& y, const Value& x);
+
 /// A function by its name: sin, det, rank; nothing if there is none of that name.
 /// @throws Mismatch if the argument has the wrong shape, NoValue if the function has no value there
 std::optional<Value> value_of_function(const std::string& name, const Value& argument);

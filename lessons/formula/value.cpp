@@ -120,6 +120,9 @@ Value identity() {
     return v;
 }
 
+Value Value::written(double number) { return number == 0.0 ? zero() : literal(number); }
+Value Value::unit_matrix() { return identity(); }
+
 std::string shape_text(const Value& value) {
     switch (value.kind) {
         case Kind::zero: return "0";

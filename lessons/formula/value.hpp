@@ -44,6 +44,11 @@ struct Value {
     Eigen::Index cols() const { return d[0].cols(); }
     bool is_number() const { return kind == Kind::matrix && rows() == 1 && cols() == 1; }
     bool is_vector() const { return kind == Kind::matrix && rows() == 3 && cols() == 1; }
+
+    /// A number that is written in a formula; 0 is a zero of any shape.
+    static Value written(double number);
+    static Value unit_matrix();
+    double written_number() const { return d[0](0, 0); }
 };
 
 Value constant(const MatrixX& value);

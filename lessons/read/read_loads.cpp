@@ -1,6 +1,10 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
 
 #include "lessons/read/reading.hpp"
+#include "lessons/read/scalar_formula.hpp"
 
 namespace jw::reading {
 
@@ -77,11 +81,66 @@ void read_torque(Fields& fields, Reading& reading) {
          against != nullptr ? against->index : -1});
 }
 
-/// Keys `stiffness` and `damping`, at least one of them.
-void read_constants(Fields& fields, double& stiffness, double& damping) {
-    if (const auto k = fields.not_negative("stiffness")) { stiffness = k->value; }
-    if (const auto c = fields.not_negative("damping")) { damping = c->value; }
-    if (!fields.has("damping")) { fields.require("stiffness", "a number in N/m or N m/rad, or 'damping'"); }
+/// The rate up to which friction grows: of an angle, in the units of its key.
+std::optional<double> read_friction_speed(Fields& fields, bool angle) {
+    const std::string key = "friction_speed";
+    if (!angle) {
+        const auto speed = fields.positive(key);
+        return speed ? std::optional(speed->value) : std::nullopt;
+    }
+    const std::string in_degrees = key + "_deg_per_s";
+    const std::string in_radians = key + "_rad_per_s";
+    if (!fields.at_most_one({in_degrees, in_radians})) { return std::nullopt; }
+    if (const auto speed = fields.positive(in_radians)) { return speed->value; }
+    if (const auto speed = fields.positive(in_degrees)) { return radians(speed->value); }
+    return std::nullopt;
+}
+
+/// Key `law`. @param letter  of the length, displacement or angle
+std::optional<ScalarFormula> read_law(Fields& fields, const char* letter) {
+    const formula::Symbol symbol{letter, 0, {}, {}};
+    const std::array variables{formula::Variable{symbol, 0, 1}};
+    const bool angle = symbol.letter != "d";
+    return read_scalar_formula(
+        fields, "law", variables,
+        angle ? "numbers, \\theta in rad and \\dot{\\theta}, as 2 \\theta^3 + 0.1 \\dot{\\theta}"
+              : "numbers, d in m and \\dot{d}, as 50 d + 200 d^3");
+}
+
+/// Keys `stiffness`, `damping`, `friction` and `law`, at least one of them.
+/// @param spring  about an axis: its rate is that of an angle
+template <class S>
+void read_constants(Fields& fields, S& spring) {
+    constexpr bool kAngle = std::is_same_v<S, RotationalSpring>;
+    if (const auto k = fields.not_negative("stiffness")) { spring.stiffness = k->value; }
+    if (const auto c = fields.not_negative("damping")) { spring.damping = c->value; }
+    const auto friction = fields.not_negative("friction");
+    const std::string speed_key = kAngle ? "friction_speed_deg_per_s" : "friction_speed";
+    const int errors = fields.problems().errors_count();
+    const std::optional<double> speed = read_friction_speed(fields, kAngle);
+    if (friction && speed) { spring.friction = {friction->value, *speed}; }
+    const bool speed_is_told = fields.problems().errors_count() > errors;
+    if (fields.has("friction") && !speed && !speed_is_told) {
+        fields.missing(speed_key, "the rate up to which the friction grows; slower motions creep");
+    }
+    if (!fields.has("friction") && speed) {
+        fields.missing(
+            "friction", kAngle ? "the size of the friction in N m" : "the size of the friction in N");
+    }
+    spring.law = read_law(fields, kAngle ? "θ" : "d");
+    if (!fields.has("damping") && !fields.has("friction") && !fields.has("law")) {
+        fields.require("stiffness", "a number in N/m or N m/rad, or 'damping', 'friction' or 'law'");
+    }
+}
+
+/// Reports a law without a value at the start. @param value  length, displacement or angle there
+void check_law(Fields& fields, const std::optional<ScalarFormula>& law, double value) {
+    // rates at the start may be others than 0
+    if (!law || law->uses(1) || std::isfinite(law->at(std::array{value, 0.0}))) { return; }
+    fields.problems().add(
+        Code::formula_without_value, fields.span("law"),
+        "the law has no value at the start, where its variable is " + short_number(value) +
+            "; expected one that has a value wherever the mechanism moves");
 }
 
 /// Both ends of a spring. @return whether they are known
@@ -140,7 +199,7 @@ void read_spring_of_joint(Fields& fields, Reading& reading) {
     }
     Spring spring;
     const Joint* joint = read_joint_with(fields, reading, "displacement", &JointType::has_displacement);
-    read_constants(fields, spring.stiffness, spring.damping);
+    read_constants(fields, spring);
     const auto free = fields.number("free_displacement");
     fields.finish();
     if (joint == nullptr) { return; }
@@ -152,6 +211,7 @@ void read_spring_of_joint(Fields& fields, Reading& reading) {
     spring.s_i_local = displacement.s_i_local;
     const BodyPair pair = pair_of(reading, {joint->body_i, joint->body_j, true});
     spring.free_length = free ? free->value : start_displacement(pair, joint->geometry);
+    check_law(fields, spring.law, start_displacement(pair, joint->geometry));
     reading.lesson.dynamics->loads.springs.push_back(spring);
 }
 
@@ -172,7 +232,7 @@ void read_spring(Fields& fields, Reading& reading) {
     spring.body_i = bodies.i;
     spring.body_j = bodies.j;
     const bool ends_known = read_ends(fields, pair, spring);
-    read_constants(fields, spring.stiffness, spring.damping);
+    read_constants(fields, spring);
     const auto free_length = fields.not_negative("free_length");
     fields.finish();
     if (bodies.i == bodies.j) { return; }
@@ -184,6 +244,7 @@ void read_spring(Fields& fields, Reading& reading) {
             "a force along the line between them has no direction there; " + way_out(bodies, reading));
     }
     spring.free_length = free_length ? free_length->value : length;
+    check_law(fields, spring.law, length);
     reading.lesson.dynamics->loads.springs.push_back(spring);
 }
 
@@ -192,7 +253,7 @@ void read_rotational_spring(Fields& fields, Reading& reading) {
     fields.require("joint", "the joint about whose axis it acts");
     RotationalSpring spring;
     const Joint* joint = read_joint_with(fields, reading, "angle", &JointType::has_angle);
-    read_constants(fields, spring.stiffness, spring.damping);
+    read_constants(fields, spring);
     const auto free_angle = fields.angle("free_angle");
     fields.finish();
     if (joint == nullptr) { return; }
@@ -201,6 +262,7 @@ void read_rotational_spring(Fields& fields, Reading& reading) {
     spring.body_j = joint->body_j;
     spring.angle = angle_of(*joint);
     spring.free_angle = free_angle ? free_angle->value : start_angle(pair, joint->geometry);
+    check_law(fields, spring.law, start_angle(pair, joint->geometry));
     reading.lesson.dynamics->loads.rotational_springs.push_back(spring);
 }
 

@@ -4,6 +4,7 @@
 #include "lessons/format/motion_keys.hpp"
 #include "lessons/lesson/enum_words.hpp"
 #include "lessons/read/reading.hpp"
+#include "lessons/read/scalar_formula.hpp"
 #include "lessons/typed/exact_text.hpp"
 
 namespace jw::reading {
@@ -143,6 +144,33 @@ bool covers(Fields& fields, const TimeTable& table, double from, double to) {
     return false;
 }
 
+std::optional<TimeFormula> read_formula(Fields& fields, const std::string& key, double unit) {
+    auto formula = read_scalar_formula(
+        fields, key, formula::time_only(), "numbers and the time t, in s, as 0.2 \\sin(3 t)");
+    if (!formula) { return std::nullopt; }
+    return TimeFormula{std::move(*formula), unit};
+}
+
+std::optional<TimeFormula> read_formula(Fields& fields, const ValueKeys& keys) {
+    if (!keys.angle) { return read_formula(fields, "formula", 1.0); }
+    if (!fields.at_most_one({"formula_deg", "formula_rad"})) { return std::nullopt; }
+    if (fields.has("formula_rad")) { return read_formula(fields, "formula_rad", 1.0); }
+    return read_formula(fields, "formula_deg", radians(1.0));
+}
+
+/// Reports a formula without a value, a rate or an acceleration between two times.
+bool exists(Fields& fields, const TimeFormula& formula, const ValueKeys& keys, double from, double to) {
+    const std::optional<double> gap = formula.gap_between(from, to);
+    if (!gap) { return true; }
+    const std::string key = keys.angle && fields.has("formula_rad") ? "formula_rad" : keys.name("formula");
+    fields.problems().add(
+        Code::unreadable_formula, fields.span(key),
+        "the formula of " + fields.what() +
+            " has no value, rate and acceleration at t = " + short_number(*gap) +
+            " s; expected a smooth formula from " + short_number(from) + " to " + short_number(to) + " s");
+    return false;
+}
+
 }  // namespace
 
 TimeFunction read_time_function(Fields& fields, bool angle) {
@@ -154,10 +182,11 @@ TimeFunction read_time_function(Fields& fields, bool angle) {
     }
     for (Fields& step : fields.tables("step", kMostParts)) { read_step(step, keys, function); }
     if (auto table = fields.table("table")) { read_table(*table, keys, function); }
+    function.formula = read_formula(fields, keys);
     if (!has_time_function(fields, angle)) {
         fields.missing(
-            keys.name("polynomial"),
-            "a function of time: " + keys.name("polynomial") + ", harmonics, step or table");
+            keys.name("polynomial"), "a function of time: " + keys.name("polynomial") +
+                                         ", harmonics, step, table or " + keys.name("formula"));
     }
     return function;
 }
@@ -165,11 +194,15 @@ TimeFunction read_time_function(Fields& fields, bool angle) {
 bool has_time_function(Fields& fields, bool angle) {
     const bool polynomial =
         angle ? fields.has("polynomial_deg") || fields.has("polynomial_rad") : fields.has("polynomial");
-    return polynomial || fields.has("harmonics") || fields.has("step") || fields.has("table");
+    const bool formula =
+        angle ? fields.has("formula_deg") || fields.has("formula_rad") : fields.has("formula");
+    return polynomial || formula || fields.has("harmonics") || fields.has("step") || fields.has("table");
 }
 
 void check_values(Fields& fields, const TimeFunction& function, double from, double to, bool never_negative) {
     if (function.table && !covers(fields, *function.table, from, to)) { return; }
+    const ValueKeys keys{function.formula && !fields.has("formula")};
+    if (function.formula && !exists(fields, *function.formula, keys, from, to)) { return; }
     for (int k = 0; k <= kMomentsLookedAt; ++k) {
         const double t = from + (to - from) * k / kMomentsLookedAt;
         const TimeFunction::Value value = function.at(t);

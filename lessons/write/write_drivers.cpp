@@ -132,8 +132,14 @@ void write_time_function(const TimeFunction& function, bool angle, Lines& lines)
     for (const auto& step : function.steps) { steps.push_back(step_text(step, angle)); }
     write_parts("step", steps, lines);
     if (function.table) { lines.key("table", table_text(*function.table, angle)); }
+    if (function.formula) {
+        const TimeFormula& formula = *function.formula;
+        const std::string unit = !angle ? "" : formula.unit == 1.0 ? "_rad" : "_deg";
+        lines.key("formula" + unit, string_text(formula.formula.source));
+    }
     // a function without parts
-    if (function.polynomial.empty() && harmonics.empty() && steps.empty() && !function.table) {
+    if (function.polynomial.empty() && harmonics.empty() && steps.empty() && !function.table &&
+        !function.formula) {
         lines.key("harmonics", "[]", "0 at all times");
     }
 }

@@ -48,9 +48,15 @@ void write_vector(
     if (!constant) { write_time_function(magnitude, false, lines); }
 }
 
-void write_constants(double stiffness, double damping, const std::string& per, Lines& lines) {
-    if (stiffness != 0.0 || damping == 0.0) { lines.key("stiffness", stiffness, per); }
-    if (damping != 0.0) { lines.key("damping", damping); }
+template <class S>
+void write_constants(const S& spring, const std::string& per, Lines& lines) {
+    const bool has_friction = spring.friction != DryFriction{};
+    if (spring.stiffness != 0.0 || (spring.damping == 0.0 && !has_friction && !spring.law)) {
+        lines.key("stiffness", spring.stiffness, per);
+    }
+    if (spring.damping != 0.0) { lines.key("damping", spring.damping); }
+    if (has_friction) { lines.key("friction", spring.friction.size); }
+    if (spring.law) { lines.key("law", string_text(spring.law->source)); }
 }
 
 /// The first written joint that a spring acts on; nothing if all such joints are left out.
@@ -72,7 +78,8 @@ void write_spring_of_joint(const Written& written, const Spring& spring, Lines& 
     if (!joint) { return; }
     lines.table("[[spring]]");
     lines.key("joint", string_text(*joint));
-    write_constants(spring.stiffness, spring.damping, "N/m", lines);
+    write_constants(spring, "N/m", lines);
+    if (spring.friction != DryFriction{}) { lines.key("friction_speed", spring.friction.speed, "m/s"); }
     lines.key("free_displacement", spring.free_length, "m");
 }
 
@@ -85,7 +92,8 @@ void write_spring(const Written& written, const Spring& spring, Lines& lines) {
     lines.key("bodies", written.pair(spring.body_i, spring.body_j));
     lines.key("point_i", spring.P_i_local);
     lines.key("point_j", spring.P_j_local);
-    write_constants(spring.stiffness, spring.damping, "N/m", lines);
+    write_constants(spring, "N/m", lines);
+    if (spring.friction != DryFriction{}) { lines.key("friction_speed", spring.friction.speed, "m/s"); }
     lines.key("free_length", spring.free_length, "m");
 }
 
@@ -94,7 +102,8 @@ void write_rotational_spring(const Written& written, const RotationalSpring& spr
     if (!joint) { return; }
     lines.table("[[rotational_spring]]");
     lines.key("joint", string_text(*joint));
-    write_constants(spring.stiffness, spring.damping, "N m/rad", lines);
+    write_constants(spring, "N m/rad", lines);
+    if (spring.friction != DryFriction{}) { lines.angle("friction_speed", spring.friction.speed, "_per_s"); }
     lines.angle("free_angle", spring.free_angle);
 }
 

@@ -46,6 +46,7 @@ double size_of(const TimeFunction& function) {
             for (const double c : function.table->piece(k).c) { size += 100.0 * std::abs(c); }
         }
     }
+    if (function.formula) { size += 100.0 * function.formula->taylor_bounds(0.0, 2.0)[3]; }
     for (const auto& s : function.steps) {
         size += (std::abs(s.from) + std::abs(s.to)) * (1.0 + 60.0 * std::pow(s.end - s.start, -3));
     }

@@ -82,7 +82,16 @@ public:
     void compare(const std::string& /*name*/, const ThetaMeasure& /*a*/, const ThetaMeasure& /*b*/) {}
     void compare(const std::string& name, const TimeFunction& a, const TimeFunction& b) {
         all(name, a, b, &TimeFunction::polynomial, "polynomial", &TimeFunction::harmonics, "harmonics",
-            &TimeFunction::steps, "steps", &TimeFunction::table, "table");
+            &TimeFunction::steps, "steps", &TimeFunction::table, "table", &TimeFunction::formula, "formula");
+    }
+    void compare(const std::string& name, const TimeFormula& a, const TimeFormula& b) {
+        all(name, a, b, &TimeFormula::formula, "formula", &TimeFormula::unit, "unit");
+    }
+    void compare(const std::string& name, const ScalarFormula& a, const ScalarFormula& b) {
+        compare(name, a.source, b.source);
+    }
+    void compare(const std::string& name, const DryFriction& a, const DryFriction& b) {
+        all(name, a, b, &DryFriction::size, "size", &DryFriction::speed, "speed");
     }
     void compare(const std::string& name, const TimeTable& a, const TimeTable& b) {
         using T = TimeTable;
@@ -154,12 +163,14 @@ public:
     void compare(const std::string& name, const Spring& a, const Spring& b) {
         all(name, a, b, &Spring::body_i, "body_i", &Spring::body_j, "body_j", &Spring::P_i_local, "P_i",
             &Spring::P_j_local, "P_j", &Spring::stiffness, "stiffness", &Spring::free_length, "free_length",
-            &Spring::damping, "damping", &Spring::s_i_local, "s_i");
+            &Spring::damping, "damping", &Spring::s_i_local, "s_i", &Spring::friction, "friction",
+            &Spring::law, "law");
     }
     void compare(const std::string& name, const RotationalSpring& a, const RotationalSpring& b) {
         using S = RotationalSpring;
         all(name, a, b, &S::body_i, "body_i", &S::body_j, "body_j", &S::angle, "angle", &S::stiffness,
-            "stiffness", &S::free_angle, "free_angle", &S::damping, "damping");
+            "stiffness", &S::free_angle, "free_angle", &S::damping, "damping", &S::friction, "friction",
+            &S::law, "law");
     }
     void compare(const std::string& name, const CameraWish& a, const CameraWish& b) {
         all(name, a, b, &CameraWish::from, "from", &CameraWish::target, "target", &CameraWish::distance,

@@ -95,7 +95,7 @@ TEST_CASE("Every shape and function of time in the documentation reads", "[lesso
         const Driver driver = driver_with("quantity = \"" + what + "\"\njoint = \"j\"\n" + line);
         CHECK(std::isfinite(driver.function.at(0.7).f));
     }
-    CHECK(count == 11);
+    CHECK(count == 12);
 }
 
 TEST_CASE("Euler parameters are used exactly as typed", "[lessons][reading]") {

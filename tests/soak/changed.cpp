@@ -8,6 +8,32 @@ namespace {
 
 Vec3 in_mirror(const Vec3& v) { return {v.x(), v.y(), -v.z()}; }
 
+using Kind = FormulaStep::Kind;
+
+/// Puts what these steps make of t in the place of t.
+void take_time(TimeFormula& formula, const std::vector<FormulaStep>& change) {
+    std::vector<FormulaStep> steps;
+    for (const FormulaStep& step : formula.formula.steps) {
+        steps.push_back(step);
+        if (step.kind == Kind::variable) { steps.insert(steps.end(), change.begin(), change.end()); }
+    }
+    formula.formula.steps = steps;
+}
+
+/// Takes variables in these units, and multiplies the result by a factor.
+void scale(ScalarFormula& law, double value, double rate, double factor) {
+    std::vector<FormulaStep> steps;
+    for (const FormulaStep& step : law.steps) {
+        steps.push_back(step);
+        if (step.kind != Kind::variable) { continue; }
+        steps.push_back({Kind::number, 1.0 / (step.number == 0.0 ? value : rate)});
+        steps.push_back({Kind::product, 0.0});
+    }
+    steps.push_back({Kind::number, factor});
+    steps.push_back({Kind::product, 0.0});
+    law.steps = steps;
+}
+
 /// f at t / time, times a factor.
 TimeFunction changed(TimeFunction f, double factor, double time) {
     double power = 1.0;
@@ -26,6 +52,10 @@ TimeFunction changed(TimeFunction f, double factor, double time) {
         for (double& t : f.table->times) { t *= time; }
         for (double& value : f.table->values) { value *= factor; }
         for (double& rate : f.table->rates) { rate *= factor / time; }
+    }
+    if (f.formula) {
+        f.formula->unit *= factor;
+        take_time(*f.formula, {{Kind::number, 1.0 / time}, {Kind::product, 0.0}});
     }
     return f;
 }
@@ -134,11 +164,21 @@ private:
         s.free_length *= c_.length;
         s.stiffness *= stiffness();
         s.damping *= damping();
+        s.friction.size *= stiffness() * c_.length;
+        s.friction.speed *= c_.length / c_.time;
+        const double force = stiffness() * c_.length;
+        if (s.law) { scale(*s.law, c_.length, c_.length / c_.time, force); }
     }
     void change(RotationalSpring& s) const {
-        s.free_angle *= change(s.angle);
+        const double sign = change(s.angle);
+        s.free_angle *= sign;
         s.stiffness *= stiffness() * c_.length * c_.length;
         s.damping *= damping() * c_.length * c_.length;
+        s.friction.size *= stiffness() * c_.length * c_.length;
+        s.friction.speed /= c_.time;
+        const double torque = stiffness() * c_.length * c_.length;
+        // a mirror changes the sign of the angle, and of its torque
+        if (s.law) { scale(*s.law, sign, sign / c_.time, sign * torque); }
     }
 
     const Change& c_;
@@ -167,6 +207,9 @@ TimeFunction backwards(const TimeFunction& f, double end) {
         for (double& t : times) { t = end - t; }
         out.table =
             table_through(times, {f.table->values.rbegin(), f.table->values.rend()}, f.table->interpolation);
+    }
+    if (out.formula) {
+        take_time(*out.formula, {{Kind::negative, 0.0}, {Kind::number, end}, {Kind::sum, 0.0}});
     }
     return out;
 }
@@ -209,8 +252,18 @@ Generated played_backwards(Generated generated, double end) {
     for (Driver& driver : generated.mechanism.drivers) { driver.function = backwards(driver.function, end); }
     for (AppliedForce& f : generated.loads.forces) { f.magnitude = backwards(f.magnitude, end); }
     for (AppliedTorque& n : generated.loads.torques) { n.magnitude = backwards(n.magnitude, end); }
-    for (Spring& s : generated.loads.springs) { s.damping = -s.damping; }
-    for (RotationalSpring& s : generated.loads.rotational_springs) { s.damping = -s.damping; }
+    for (Spring& s : generated.loads.springs) {
+        s.damping = -s.damping;
+        s.friction.size = -s.friction.size;
+        // the rate that is seen backwards
+        if (s.law) { scale(*s.law, 1.0, -1.0, 1.0); }
+    }
+    for (RotationalSpring& s : generated.loads.rotational_springs) {
+        s.damping = -s.damping;
+        s.friction.size = -s.friction.size;
+        // the rate that is seen backwards
+        if (s.law) { scale(*s.law, 1.0, -1.0, 1.0); }
+    }
     return generated;
 }
 

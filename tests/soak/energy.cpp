@@ -48,6 +48,12 @@ public:
     }
 
 private:
+    static Real resistance(const general::Friction& f, Real rate) {
+        return f.size * rate / std::sqrt(rate * rate + f.speed * f.speed);
+    }
+    static Real law(const std::optional<general::FormulaTree>& f, Real value, Real rate) {
+        return f ? general::value_of(*f, {{value}, {rate}}).value : 0.0L;
+    }
     static Real size(const general::TimeFunction& f, Real t) { return general::time_function(f, t).value; }
     static reference::Vec3 direction(
         const general::PlacedBodies& placed, int body, bool local, const reference::Vec3& v) {
@@ -59,13 +65,15 @@ private:
             const general::Taylor way = general::dot(
                 general::direction_of(placed, *s.axis),
                 general::point_of(placed, s.j) - general::point_of(placed, s.i));
-            return -(s.stiffness * (way.value - s.free_length) + s.damping * way.rate) * way.rate;
+            const Real pull = s.stiffness * (way.value - s.free_length) + s.damping * way.rate;
+            return -(pull + resistance(s.friction, way.rate) + law(s.law, way.value, way.rate)) * way.rate;
         }
         const general::Taylor square = general::measured(general::SquaredDistance{s.i, s.j}, placed);
         const Real length = std::sqrt(square.value);
         if (!(length > 0.0L)) { return 0.0L; }
         const Real rate = square.rate / (2.0L * length);
-        return -(s.stiffness * (length - s.free_length) + s.damping * rate) * rate;
+        const Real pull = s.stiffness * (length - s.free_length) + s.damping * rate;
+        return -(pull + resistance(s.friction, rate) + law(s.law, length, rate)) * rate;
     }
     Real turning_power(std::size_t k, const general::PlacedBodies& placed) {
         const general::TurningSpring& s = model_.turning_springs[k];
@@ -75,7 +83,9 @@ private:
         const auto omega = [&](int body) { return placed[static_cast<std::size_t>(body)].omega; };
         const reference::Vec3 axis = general::direction_of(placed, s.angle.s).value;
         const Real turning = axis.dot(omega(s.angle.u_j.body) - omega(s.angle.u_i.body));
-        return -(s.stiffness * twists_[k] + s.damping * angle.rate) * turning;
+        const Real torque = s.stiffness * twists_[k] + s.damping * angle.rate;
+        const Real added = law(s.law, twists_[k] + s.free_angle, angle.rate);
+        return -(torque + resistance(s.friction, angle.rate) + added) * turning;
     }
 
     const general::Model& model_;

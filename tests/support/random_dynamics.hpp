@@ -59,8 +59,14 @@ inline Loads random_conservative_loads(Random& random, const Mechanism& mechanis
 /// All kinds: dampers, forces and torques in both frames, growing and swinging in time.
 inline Loads random_loads(Random& random, const Mechanism& mechanism) {
     Loads loads = random_conservative_loads(random, mechanism);
-    for (Spring& spring : loads.springs) { spring.damping = random.number(0.0, 2.0); }
-    for (RotationalSpring& spring : loads.rotational_springs) { spring.damping = random.number(0.0, 2.0); }
+    for (Spring& spring : loads.springs) {
+        spring.damping = random.number(0.0, 2.0);
+        spring.friction = {spring.damping, 8.0};
+    }
+    for (RotationalSpring& spring : loads.rotational_springs) {
+        spring.damping = random.number(0.0, 2.0);
+        spring.friction = {spring.damping, 9.0};
+    }
     for (int b = 0; b < static_cast<int>(mechanism.bodies.size()); ++b) {
         for (const Frame frame : {Frame::global, Frame::local}) {
             loads.forces.push_back({b, random.vector(), random.direction(), frame, random_function(random)});

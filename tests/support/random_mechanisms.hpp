@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <random>
 #include <string>
 
@@ -78,11 +81,65 @@ inline Mechanism random_joint(
     return m;
 }
 
+/// A sin(B t + C) exp(-t / 4), with numbers that can be written with six digits.
+inline TimeFormula dying_swing(double a, double b, double c) {
+    using Kind = FormulaStep::Kind;
+    const auto typed = [](double x) { return std::max(1.0, std::round(64.0 * std::abs(x))) / 64.0; };
+    const auto text = [](double x) {
+        char digits[16];
+        std::snprintf(digits, sizeof digits, "%.6f", x);
+        return std::string(digits);
+    };
+    const double A = typed(a);
+    const double B = typed(b);
+    const double C = typed(c);
+    return {
+        {text(A) + " \\sin(" + text(B) + " t + " + text(C) + ") \\exp(-\\frac{t}{4})",
+         {{Kind::number, A},
+          {Kind::number, B},
+          {Kind::variable},
+          {Kind::product},
+          {Kind::number, C},
+          {Kind::sum},
+          {Kind::sine},
+          {Kind::product},
+          {Kind::variable},
+          {Kind::number, 4.0},
+          {Kind::quotient},
+          {Kind::negative},
+          {Kind::exponential},
+          {Kind::product}}},
+        1.0};
+}
+
+/// k \sin(d) + c \dot{d}^3: bounded in d; the letter is that of a displacement or an angle.
+inline ScalarFormula sine_law(double k, double c, const std::string& letter) {
+    using Kind = FormulaStep::Kind;
+    const auto text = [](double x) {
+        char digits[40];
+        std::snprintf(digits, sizeof digits, "%.17f", x);
+        return std::string(digits);
+    };
+    return {
+        text(k) + " \\sin(" + letter + ") + " + text(c) + " \\dot{" + letter + "}^3",
+        {{Kind::number, k},
+         {Kind::variable, 0.0},
+         {Kind::sine},
+         {Kind::product},
+         {Kind::number, c},
+         {Kind::variable, 1.0},
+         {Kind::power, 3.0},
+         {Kind::product},
+         {Kind::sum}}};
+}
+
 inline TimeFunction random_function(Random& random) {
     TimeFunction f;
     f.polynomial = {random.number(0.5, 1.0), random.number(), random.number(), random.number()};
     f.harmonics = {{random.number(), random.number(0.5, 3.0), random.number()}};
     f.steps = {{random.number(), random.number(), -0.5, 1.5}};
+    // of numbers that are drawn already, so that others stay what they were
+    f.formula = dying_swing(f.steps[0].from, 2.0 + f.steps[0].to, f.harmonics[0].phase);
     return f;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/equations/system.hpp"
 #include "tests/reference/natural_spline.hpp"
+#include "tests/support/formula_value.hpp"
 
 /// Φ of a system in long double, written from the definitions of the slides alone: no jets, no shared code.
 /// Tests differentiate it.
@@ -164,6 +165,10 @@ inline VX phi(const System& system, const Positions& q, Real t, bool homogeneous
         if (driver.function.table) {
             const TimeTable& table = *driver.function.table;
             f += reference::natural_spline(table.times, table.values, Real(t));
+        }
+        if (driver.function.formula) {
+            const TimeFormula& formula = *driver.function.formula;
+            f += Real(formula.unit) * static_cast<Real>(test::formula_value(formula.formula.steps, t));
         }
         if (const auto* m = std::get_if<AngleMeasure>(&driver.measure)) {
             const V3 u_i = A_i * to_real(m->u_i_local);

@@ -63,6 +63,10 @@ private:
         for (const double c : function.polynomial) { add(c); }
         for (const auto& h : function.harmonics) { add(h.amplitude, h.omega, h.phase); }
         for (const auto& s : function.steps) { add(s.from, s.to, s.start, s.end); }
+        if (function.formula) {
+            const std::array<double, 3> values = function.formula->taylor_at(0.0);
+            add(values[0], values[1], values[2]);
+        }
         if (!function.table) { return; }
         for (const double t : function.table->times) { add(t); }
         for (const double value : function.table->values) { add(value); }
@@ -84,12 +88,13 @@ private:
             add_function(torque.magnitude);
         }
         for (const Spring& s : loads.springs) {
-            add(s.P_i_local, s.P_j_local, s.stiffness, s.damping, s.free_length);
+            add(s.P_i_local, s.P_j_local, s.stiffness, s.damping, s.free_length, s.friction.size,
+                s.friction.speed);
             if (s.s_i_local) { add(*s.s_i_local); }
         }
         for (const RotationalSpring& s : loads.rotational_springs) {
             add_measure(s.angle);
-            add(s.stiffness, s.damping, s.free_angle);
+            add(s.stiffness, s.damping, s.free_angle, s.friction.size, s.friction.speed);
         }
     }
     void add_look(const Look& look) {

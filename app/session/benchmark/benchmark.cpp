@@ -49,7 +49,9 @@ double grain_of_clock() {
 /// True if energy is conserved: only gravity and springs act.
 bool keeps_energy(const Lesson& lesson) {
     const Loads& loads = lesson.dynamics->loads;
-    const auto damped = [](const auto& spring) { return spring.damping != 0.0; };
+    const auto damped = [](const auto& spring) {
+        return spring.damping != 0.0 || spring.friction.size != 0.0 || spring.law;
+    };
     return loads.forces.empty() && loads.torques.empty() && std::ranges::none_of(loads.springs, damped) &&
            loads.rotational_springs.empty() && lesson.mechanism.drivers.empty();
 }

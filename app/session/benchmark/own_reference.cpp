@@ -55,7 +55,7 @@ ReferenceWay by_extrapolation(
     const Lesson& lesson, const std::vector<double>& times, const std::stop_token& stop) {
     constexpr double tolerance = 1e-13;
     ReferenceWay way{"block equations of the bodies, extrapolated midpoint rule at 1e-13", {}, {}};
-    const auto turns = [](const RotationalSpring& spring) { return spring.stiffness != 0.0; };
+    const auto turns = [](const RotationalSpring& spring) { return spring.depends_on_angle(); };
     if (std::ranges::any_of(lesson.dynamics->loads.rotational_springs, turns)) {
         way.failure = "it does not count the turns of springs";
         return way;
@@ -65,8 +65,9 @@ ReferenceWay by_extrapolation(
     Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
     // steps end where a function of time starts or stops changing; these times are not samples
     std::vector<double> stops = times;
-    const std::vector<double> events = events_until(times.back(), simulation.scene());
-    stops.insert(stops.end(), events.begin(), events.end());
+    for (const TimeEvent& event : events_until(times.back(), simulation.scene())) {
+        stops.push_back(event.t);
+    }
     std::ranges::sort(stops);
     stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
     PointRecorder record(lesson, simulation, stop);

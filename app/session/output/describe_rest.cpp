@@ -202,6 +202,10 @@ std::string describe(const RestView& view) {
         verdict +=
             std::string(" ") + tr("It starts exactly there: start beside it to see where it comes to rest.");
     }
+    if (view.without_friction) {
+        verdict += std::string(" ") +
+                   tr("Dry friction is left out: with it, the mechanism can also stop beside this pose.");
+    }
     return "  " + head + "\n  " + verdict + "\n\n" + quantities_text(view) + reactions_text(view) +
            modes_text(view);
 }
@@ -216,6 +220,7 @@ Json json_of(const RestView& view, const Lesson& lesson) {
         {"steps", outcome.steps},
         {"freedoms", outcome.freedoms},
         {"residual", number(outcome.residual)},
+        {"friction_left_out", view.without_friction},
         {"stability", is_found ? Json(word_of(outcome.motions.stability)) : Json()},
         {"singular", is_found ? Json(outcome.motions.is_singular) : Json()},
         {"conservative", is_found ? Json(outcome.motions.is_conservative) : Json()},

@@ -21,6 +21,32 @@ const char* word_of(NoProof reason) {
 
 Json list(const VectorX& numbers) { return jw::json_of(numbers); }
 
+/// A number, "t" or the name of an operation; a power with its exponent.
+Json json_of(const FormulaStep& step) {
+    using Kind = FormulaStep::Kind;
+    switch (step.kind) {
+        case Kind::number: return step.number;
+        case Kind::variable: return "t";
+        case Kind::sum: return "+";
+        case Kind::difference: return "-";
+        case Kind::product: return "*";
+        case Kind::quotient: return "/";
+        case Kind::negative: return "negative";
+        case Kind::power: return Json::array({"power", step.number});
+        case Kind::sine: return "sin";
+        case Kind::cosine: return "cos";
+        case Kind::tangent: return "tan";
+        case Kind::arc_sine: return "arcsin";
+        case Kind::arc_cosine: return "arccos";
+        case Kind::arc_tangent: return "arctan";
+        case Kind::exponential: return "exp";
+        case Kind::logarithm: return "ln";
+        case Kind::square_root: return "sqrt";
+        case Kind::absolute: return "abs";
+    }
+    return {};
+}
+
 Json json_of(const TimeFunction& function) {
     Json harmonics = Json::array();
     for (const auto& h : function.harmonics) { harmonics.push_back({h.amplitude, h.omega, h.phase}); }
@@ -34,6 +60,13 @@ Json json_of(const TimeFunction& function) {
             pieces.push_back({table.piece(k).start, table.piece(k).c});
         }
         json["table"] = {{"times", table.times}, {"pieces", pieces}};
+    }
+    if (function.formula) {
+        Json operations = Json::array();
+        for (const FormulaStep& step : function.formula->formula.steps) {
+            operations.push_back(json_of(step));
+        }
+        json["formula"] = {{"unit", function.formula->unit}, {"steps", operations}};
     }
     return json;
 }

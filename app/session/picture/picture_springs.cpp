@@ -20,6 +20,9 @@ constexpr int kPointsOfCoil = 24;
 constexpr double kInnermost = 0.02;
 constexpr double kOutermost = 0.10;
 constexpr double kSpiralTurns = 2.5;
+constexpr double kPadDistance = 0.075;
+constexpr double kPadLength = 0.09;
+constexpr double kPadRadius = 0.02;
 
 void add_wire(std::vector<Vec3> points, render::Scene& scene) {
     render::Polyline wire{std::move(points), kWireWidth, kWire};
@@ -67,6 +70,16 @@ void add_dashpot(const PictureStyle& style, const Vec3& from, const Vec3& to, re
          kWire});
 }
 
+/// Adds two pads that press on body j along the axis of a sliding joint: dry friction.
+void add_pads(const PictureStyle& style, const Vec3& axis, const Vec3& at, render::Scene& scene) {
+    for (const double side : {-1.0, 1.0}) {
+        const Vec3 middle = at + side * kPadDistance * style.unit * beside(style, axis);
+        const Vec3 half = 0.5 * kPadLength * style.unit * axis;
+        scene.shapes.push_back(
+            {render::Cylinder{middle - half, middle + half, kPadRadius * style.unit}, kWire});
+    }
+}
+
 /// Adds a spiral from the shaft, which is body j, out to body i. Angles are known only up to whole turns.
 void add_spiral(const PictureStyle& style, const PlacedJoint& j, render::Scene& scene) {
     const Vec3 v = j.s_i.cross(j.u_i);
@@ -91,10 +104,16 @@ void add_springs(const Lesson& lesson, const PictureStyle& style, const State& s
     for (const Spring& spring : lesson.dynamics->loads.springs) {
         const Vec3 P_i = frame_of(state, spring.body_i).point(spring.P_i_local);
         const Vec3 P_j = frame_of(state, spring.body_j).point(spring.P_j_local);
+        const bool only_rubs =
+            spring.stiffness == 0.0 && spring.damping == 0.0 && !spring.law && spring.friction.size != 0.0;
+        if (only_rubs && spring.s_i_local) {
+            add_pads(style, frame_of(state, spring.body_i).direction(*spring.s_i_local), P_j, scene);
+            continue;
+        }
         const auto [from, to] =
             spring.s_i_local ? ends_along_axis(style, state, spring) : std::pair(P_i, P_j);
         if (!((to - from).norm() > kInnermost * style.unit)) { continue; }
-        const auto add = spring.stiffness != 0.0 ? add_coils : add_dashpot;
+        const auto add = spring.stiffness != 0.0 || spring.law ? add_coils : add_dashpot;
         add(style, from, to, scene);
     }
     for (const RotationalSpring& spring : lesson.dynamics->loads.rotational_springs) {

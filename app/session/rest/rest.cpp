@@ -194,6 +194,11 @@ std::string stability_text(const RestOutcome& outcome) {
         return tr(
             "Not known whether it is stable: the pose is singular, with more freedoms than poses beside it.");
     }
+    if (motions.at_kink) {
+        return tr(
+            "Not known whether it is stable: the law of a spring has no slope here that can be proved, as at "
+            "a kink.");
+    }
     switch (motions.stability) {
         case Stability::stable:
             return motions.is_conservative ? tr("Stable: the potential energy of the loads is least here.")
@@ -223,10 +228,10 @@ RestView find_rest(const Lesson& lesson, const RestRequest& request) {
         throw std::invalid_argument("this lesson has no [dynamics]; expected masses and a table [dynamics]");
     }
     // not at the first time of [motion]
-    Lesson at_zero = lesson;
-    at_zero.motion.reset();
-    const Story story(at_zero, last_pose_only());
-    if (const Step* failed = story.failure()) { throw not_reached(at_zero, *failed); }
+    StoryOptions at_zero = last_pose_only();
+    at_zero.start_time = 0.0;
+    const Story story(lesson, at_zero);
+    if (const Step* failed = story.failure()) { throw not_reached(lesson, *failed); }
     const State& assembled = story.steps().back().state;
 
     RestView view;
@@ -247,6 +252,10 @@ RestView find_rest(const Lesson& lesson, const RestRequest& request) {
     for (const Mode& mode : view.outcome.motions.modes) {
         view.modes.push_back(joints_of(mode, view, *scene, view.outcome.state));
     }
+    const auto rubs = [](const auto& spring) { return spring.friction.size != 0.0; };
+    const Loads& loads = lesson.dynamics->loads;
+    view.without_friction =
+        std::ranges::any_of(loads.springs, rubs) || std::ranges::any_of(loads.rotational_springs, rubs);
     view.failure = failure_text(view);
     return view;
 }

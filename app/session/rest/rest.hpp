@@ -32,6 +32,7 @@ struct RestView {
     Instant instant;                        ///< the pose that was reached, at rest, in the frames as given
     std::vector<NamedQuantity> quantities;  ///< of joints, drivers and energy
     std::vector<std::vector<ModeOfJoint>> modes;  ///< one per mode of the outcome
+    bool without_friction = false;                ///< dry friction of the lesson is left out
     std::string failure;                          ///< why no equilibrium was found; empty if one was
 };
 

@@ -121,7 +121,7 @@ std::string step_too_small_text(const SimulationFailure& failure, const Simulati
     }
     return tr(
         "no step is small enough for the tolerance; accelerations become unbounded there (forces too large "
-        "for the masses, a singular position); {0}",
+        "for the masses, a law of a spring without a value, a singular position); {0}",
         look_at(failure.t));
 }
 

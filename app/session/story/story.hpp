@@ -101,6 +101,7 @@ struct StoryOptions {
     /// Least number of moments of a motion by masses and forces that are kept for curves and paths; 0: its
     /// steps.
     int curve_moments = 960;
+    std::optional<double> start_time = {};  ///< [s]; default: that of the lesson
     int additions = -1;  ///< only this many joints and drivers are assembled, and nothing moves; -1: all
     /// The last step that is needed: telling may end after it, if that is before the motion. -1: everything.
     int last_step = -1;

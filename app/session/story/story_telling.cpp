@@ -26,7 +26,7 @@ void thin_out_iterations(std::vector<Step>& steps) {
 }  // namespace
 
 StoryTelling::StoryTelling(const Lesson& lesson, const StoryOptions& options)
-    : lesson_(&lesson), options_(options), start_time_(start_time(lesson)) {
+    : lesson_(&lesson), options_(options), start_time_(options.start_time.value_or(start_time(lesson))) {
     const auto all = static_cast<int>(lesson.order.size());
     additions_ = options.additions < 0 ? all : std::min(options.additions, all);
     state_ = start_state(lesson.mechanism);

@@ -1,7 +1,11 @@
 #include "app/session/story/taking_part.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "app/session/wording/messages.hpp"
+#include "app/session/wording/numbers.hpp"
+#include "lessons/diagnostics/diagnostics.hpp"
 
 #include "core/quantity/names.hpp"
 
@@ -33,6 +37,23 @@ Mechanism taking_part(const Lesson& lesson) {
 std::shared_ptr<const Centroidal> scene_of(const Lesson& lesson) {
     if (!lesson.dynamics) { return nullptr; }
     return std::make_shared<const Centroidal>(centroidal(taking_part(lesson), lesson.dynamics->loads));
+}
+
+void require_formulas(const Lesson& lesson, double from, double to, bool with_loads) {
+    const auto require = [&](const TimeFunction& function, const std::string& name) {
+        const auto gap = function.formula ? function.formula->gap_between(from, to) : std::nullopt;
+        if (!gap) { return; }
+        throw std::invalid_argument(tr(
+            "the formula of {0} has no value, rate and acceleration at t = {1} s; expected times without it",
+            name, number_text(*gap, 6)));
+    };
+    for (const Driver& driver : lesson.mechanism.drivers) {
+        require(driver.function, in_quotes(driver.name));
+    }
+    if (!with_loads || !lesson.dynamics) { return; }
+    const Loads& loads = lesson.dynamics->loads;
+    for (const AppliedForce& force : loads.forces) { require(force.magnitude, tr("a force")); }
+    for (const AppliedTorque& torque : loads.torques) { require(torque.magnitude, tr("a torque")); }
 }
 
 }  // namespace jw

@@ -2,6 +2,7 @@
 
 #include "app/session/try/experiment_parts.hpp"
 #include "core/quantity/quantity.hpp"
+#include "lessons/formula/steps_of_formula.hpp"
 #include "lessons/lesson/enum_words.hpp"
 #include "lessons/typed/exact_text.hpp"
 #include "lessons/typed/typed.hpp"
@@ -78,6 +79,19 @@ TimeTable read_table(Words& words, Unit unit) {
     } catch (const std::invalid_argument& e) { throw Unreadable(e.what()); }
 }
 
+/// A formula in quotes, with its unit behind: "30 \sin(2 t)" deg.
+TimeFormula read_formula(Words& words, Unit unit) {
+    TimeFormula out;
+    out.formula.source = words.text("the formula");
+    const math::Reading reading = math::read_math(out.formula.source);
+    if (reading.problem) { throw Unreadable(reading.problem->message); }
+    try {
+        out.formula.steps = formula::steps_of(reading.row, formula::time_only());
+    } catch (const formula::NotEvaluated& failed) { throw Unreadable(failed.problem().message); }
+    if (degrees_follow(words, unit, "")) { out.unit = radians(1.0); }
+    return out;
+}
+
 double& coefficient(TimeFunction& function, std::size_t power) {
     if (function.polynomial.size() <= power) {
         function.polynomial.resize(std::max<std::size_t>(2, power + 1));
@@ -87,7 +101,7 @@ double& coefficient(TimeFunction& function, std::size_t power) {
 
 void read_clause(Words& words, Unit unit, TimeFunction& function) {
     static const std::vector<std::string> clauses{"start",    "rate", "function", "polynomial",
-                                                  "harmonic", "step", "table"};
+                                                  "harmonic", "step", "table",    "formula"};
     switch (words.name(clauses, "part of a driver's function")) {
         case 0: coefficient(function, 0) = value(words, unit, "", "the start"); break;
         case 1: coefficient(function, 1) = value(words, unit, "/s", "the rate"); break;
@@ -95,7 +109,8 @@ void read_clause(Words& words, Unit unit, TimeFunction& function) {
         case 3: function.polynomial = values(words, unit, "a coefficient"); break;
         case 4: function.harmonics.push_back(read_harmonic(words, unit)); break;
         case 5: function.steps.push_back(read_step(words, unit)); break;
-        default: function.table = read_table(words, unit); break;
+        case 6: function.table = read_table(words, unit); break;
+        default: function.formula = read_formula(words, unit); break;
     }
 }
 
@@ -128,6 +143,11 @@ std::string whole_text(const TimeFunction& f, Unit unit) {
         text += std::string(" table ") + word_of(kInterpolations, f.table->interpolation) + " at";
         for (const double t : f.table->times) { text += " " + writing::number_text(t); }
         text += " s values " + values_text(f.table->values, unit);
+    }
+    if (f.formula) {
+        text += " formula \"" + f.formula->formula.source + "\"";
+        if (unit == Unit::radian) { text += f.formula->unit == 1.0 ? " rad" : " deg"; }
+        if (unit == Unit::metre) { text += " m"; }
     }
     return text;
 }

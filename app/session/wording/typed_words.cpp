@@ -130,6 +130,11 @@ double Words::number(const std::string& what) {
     return value;
 }
 
+std::string Words::text(const std::string& what) {
+    if (done()) { throw Unreadable(what + " is missing; expected it in double quotes"); }
+    return words_[next_++].text;
+}
+
 Vec3 Words::vector(const std::string& what) {
     Vec3 v;
     for (double& component : v) { component = number(what); }

@@ -42,6 +42,8 @@ public:
     std::size_t last_word(const std::vector<std::string>& words, const std::string& kind);
     /// @throws Unreadable if the next word is not a finite number of at most 1e9 in size
     double number(const std::string& what);
+    /// The next word or words in quotes, as they are. @throws Unreadable at the end
+    std::string text(const std::string& what);
     /// Three numbers [m or none].
     Vec3 vector(const std::string& what);
     int integer(const std::string& what);

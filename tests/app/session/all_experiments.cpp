@@ -41,7 +41,8 @@ std::vector<Experiment> all_experiments(const Lesson& lesson, Random& random) {
         moved.polynomial[0] = random.number(-1.0, 1.0);
         moved.polynomial[1] = 0.5;
         for (const TimeFunction& f :
-             {moved, random_function(random), TimeFunction{.table = random_table(random)}, TimeFunction{}}) {
+             {moved, random_function(random), TimeFunction{.table = random_table(random)},
+              TimeFunction{.formula = dying_swing(0.5, 2.0, 0.25)}, TimeFunction{}}) {
             all.push_back(SetDriver{d, f});
         }
     }

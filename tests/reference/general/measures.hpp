@@ -31,6 +31,8 @@ using Gradient = std::vector<Pull>;
 TaylorVector direction_of(const PlacedBodies& bodies, const Fixed& direction);
 TaylorVector point_of(const PlacedBodies& bodies, const Fixed& point);
 Taylor time_function(const TimeFunction& f, Real t);
+/// A formula of variables, each with its rates.
+Taylor value_of(const FormulaTree& formula, const std::vector<Taylor>& variables);
 
 /// Φ = measure - target at time t, its rate and its second derivative while no body accelerates (-γ).
 Taylor phi_of(const Equation& equation, const PlacedBodies& bodies, Real t);

@@ -6,6 +6,11 @@ namespace jw::reference::general {
 
 namespace {
 
+Real friction(const Friction& f, Real rate) { return f.size * rate / std::hypot(rate, f.speed); }
+Real law(const std::optional<FormulaTree>& f, Real value, Real rate) {
+    return f ? value_of(*f, {{value}, {rate}}).value : 0.0L;
+}
+
 constexpr Eigen::Index kPerBody = 13;
 // pivots of unit rows: those that repeat others leave rounding of the double numbers of a lesson, 1e-15;
 // scenes that are near-singular on purpose stay above 1e-7
@@ -211,7 +216,8 @@ std::vector<Mechanics::Loaded> Mechanics::loads() const {
             // the gradient of s · d: ±s at the points, s x d by the turn of the axis
             const TaylorVector axis = direction_of(bodies_, *s.axis);
             const Taylor way = dot(axis, d);
-            const Real pull = s.stiffness * (way.value - s.free_length) + s.damping * way.rate;
+            const Real pull = s.stiffness * (way.value - s.free_length) + s.damping * way.rate +
+                              friction(s.friction, way.rate) + law(s.law, way.value, way.rate);
             push(out, s.i, pull * axis.value);
             push(out, s.j, -pull * axis.value);
             out[static_cast<std::size_t>(s.axis->body)].torque -= pull * axis.value.cross(d.value);
@@ -219,7 +225,9 @@ std::vector<Mechanics::Loaded> Mechanics::loads() const {
         }
         const Real length = d.value.norm();
         const Vec3 along = length > 0.0L ? Vec3(d.value / length) : Vec3(Vec3::Zero());
-        const Real pull = s.stiffness * (length - s.free_length) + s.damping * along.dot(d.rate);
+        const Real rate = along.dot(d.rate);
+        const Real pull = s.stiffness * (length - s.free_length) + s.damping * rate +
+                          friction(s.friction, rate) + law(s.law, length, rate);
         push(out, s.i, pull * along);
         push(out, s.j, -pull * along);
     }
@@ -228,7 +236,10 @@ std::vector<Mechanics::Loaded> Mechanics::loads() const {
         const Taylor angle = angle_value(s.angle, bodies_);
         const Real twist = twists_[k] + std::remainder(angle.value - s.free_angle - twists_[k], 2.0L * kPi);
         const Vec3 axis = direction_of(bodies_, s.angle.s).value;
-        const Vec3 torque = -(s.stiffness * twist + s.damping * angle.rate) * axis;
+        const Vec3 torque =
+            -(s.stiffness * twist + s.damping * angle.rate + friction(s.friction, angle.rate) +
+              law(s.law, twist + s.free_angle, angle.rate)) *
+            axis;
         out[static_cast<std::size_t>(s.angle.u_j.body)].torque += torque;
         out[static_cast<std::size_t>(s.angle.u_i.body)].torque -= torque;
     }

@@ -46,11 +46,18 @@ struct Table {
     std::vector<double> times;
     std::vector<double> values;
 };
+/// A number, "variable", or an operation with what it is done to: "+", "sin", "power", ...
+struct FormulaTree {
+    std::string operation;
+    Real number = 0.0L;  ///< also the index of a variable, and the exponent of a power
+    std::vector<FormulaTree> of;
+};
 struct TimeFunction {
     std::vector<Real> polynomial;  ///< c0 + c1 t + ...
     std::vector<Harmonic> harmonics;
     std::vector<Ramp> ramps;
     std::vector<Table> tables;
+    std::vector<FormulaTree> formulas;
 };
 
 // what is measured; an equation says that it equals a number or a function of time
@@ -184,6 +191,11 @@ struct Torque {
     TimeFunction magnitude;
     int against = -1;  ///< body that the opposite one acts on
 };
+/// size v / √(v² + speed²) against a rate v.
+struct Friction {
+    Real size = 0.0L;
+    Real speed = 1.0L;
+};
 struct Spring {
     Fixed i;
     Fixed j;
@@ -191,13 +203,17 @@ struct Spring {
     Real free_length = 0.0L;
     Real damping = 0.0L;
     std::optional<Fixed> axis = {};  ///< of body i: it acts on the displacement along it
+    Friction friction = {};
+    std::optional<FormulaTree> law = {};  ///< of length or angle, and its rate
 };
-/// Torque -k (θ - θ0) - c θ̇ on body j about s of body i; turns are counted on from the start.
+/// Torque -k (θ - θ0) - c θ̇ - friction on body j about s of body i; turns are counted on from the start.
 struct TurningSpring {
     Angle angle;
     Real stiffness = 0.0L;
     Real free_angle = 0.0L;
     Real damping = 0.0L;
+    Friction friction = {};
+    std::optional<FormulaTree> law = {};  ///< of length or angle, and its rate
 };
 
 struct Model {

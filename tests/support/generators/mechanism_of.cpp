@@ -146,6 +146,8 @@ private:
             f.table = table_through(
                 {-0.5, 0.1, 0.7, 1.5}, {value(), value(), value(), value()},
                 TimeTable::Interpolation::smooth);
+            const TimeTable& table = *f.table;
+            if (kind % 2 == 0) { f.formula = dying_swing(table.values[0], 2.0, table.values[1] / length); }
         }
         return f;
     }
@@ -271,6 +273,10 @@ private:
                     random.number(1.0, 10.0) * lightest,
                     random.number(0.2, 1.0) * L,
                     damping * lightest};
+                if (recipe.damped) {
+                    spring.friction = {0.5 * damping * lightest * L, 0.3 * L};
+                    spring.law = sine_law(damping * lightest, 0.1 * damping * lightest / (L * L), "d");
+                }
                 // along an axis instead, also where no joint keeps to it
                 if (recipe.kind % 8 >= 4) { spring.s_i_local = random.direction(); }
                 out_.loads.springs.push_back(spring);
@@ -284,6 +290,11 @@ private:
                 out_.loads.rotational_springs.push_back(
                     {joint.body_i, joint.body_j, angle_of(joint), random.number(0.1, 1.0) * lighter,
                      random.number(-3.0, 3.0), 0.1 * damping * lighter});
+                if (recipe.damped) {
+                    RotationalSpring& spring = out_.loads.rotational_springs.back();
+                    spring.friction = {0.1 * damping * lighter, 0.3};
+                    spring.law = sine_law(0.1 * damping * lighter, 0.01 * damping * lighter, "\\theta");
+                }
                 break;
             }
             case 2:

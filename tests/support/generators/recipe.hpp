@@ -43,7 +43,8 @@ struct DriverRecipe {
     int joint = 0;
     int i = 0;
     int j = 0;
-    int function = 0;  ///< polynomial, harmonic, step, all of them; from 4 on with a table
+    int function = 0;  ///< polynomial, harmonic, step, all of them; from 4 on with a table, every other also
+                       ///< with a formula
     int seed = 0;
 };
 

@@ -12,12 +12,36 @@ namespace {
 
 reference::Vec3 real(const Vec3& v) { return v.cast<long double>(); }
 
+/// The tree of steps for a stack, read from the last one on. @param next  one after its last step
+general::FormulaTree tree_of(const std::vector<FormulaStep>& steps, std::size_t& next) {
+    static const std::vector<std::string> names{"number",   "variable", "+",   "-",   "*",    "/",
+                                                "negative", "power",    "sin", "cos", "tan",  "arcsin",
+                                                "arccos",   "arctan",   "exp", "ln",  "sqrt", "abs"};
+    const FormulaStep& step = steps.at(--next);
+    general::FormulaTree out{names.at(static_cast<std::size_t>(step.kind)), step.number, {}};
+    for (int k = 0; k < operands_of(step.kind); ++k) { out.of.insert(out.of.begin(), tree_of(steps, next)); }
+    return out;
+}
+
+std::optional<general::FormulaTree> tree_of(const std::optional<ScalarFormula>& formula) {
+    if (!formula) { return std::nullopt; }
+    std::size_t next = formula->steps.size();
+    return tree_of(formula->steps, next);
+}
+
+general::Friction real(const DryFriction& f) { return {f.size, f.speed}; }
+
 general::TimeFunction real(const TimeFunction& f) {
     general::TimeFunction out;
     out.polynomial.assign(f.polynomial.begin(), f.polynomial.end());
     for (const auto& h : f.harmonics) { out.harmonics.push_back({h.amplitude, h.omega, h.phase}); }
     for (const auto& s : f.steps) { out.ramps.push_back({s.from, s.to, s.start, s.end}); }
     if (f.table) { out.tables.push_back({f.table->times, f.table->values}); }
+    if (f.formula) {
+        std::size_t next = f.formula->formula.steps.size();
+        out.formulas.push_back(
+            {"*", 0.0L, {tree_of(f.formula->formula.steps, next), {"number", f.formula->unit, {}}}});
+    }
     return out;
 }
 
@@ -252,12 +276,14 @@ void write_loads(const Loads& loads, general::Model& model) {
              s.stiffness,
              s.free_length,
              s.damping,
-             s.s_i_local ? std::optional(general::Fixed{s.body_i, real(*s.s_i_local)}) : std::nullopt});
+             s.s_i_local ? std::optional(general::Fixed{s.body_i, real(*s.s_i_local)}) : std::nullopt,
+             real(s.friction),
+             tree_of(s.law)});
     }
     for (const RotationalSpring& s : loads.rotational_springs) {
         model.turning_springs.push_back(
             {angle_between(s.body_i, s.body_j, s.angle.s_i_local, s.angle.u_i_local, s.angle.u_j_local),
-             s.stiffness, s.free_angle, s.damping});
+             s.stiffness, s.free_angle, s.damping, real(s.friction), tree_of(s.law)});
     }
 }
 

@@ -1,0 +1,21 @@
+#include "lessons/read/scalar_formula.hpp"
+
+namespace jw::reading {
+
+std::optional<ScalarFormula> read_scalar_formula(
+    Fields& fields, const std::string& key, std::span<const formula::Variable> variables,
+    const char* made_of) {
+    const auto source = fields.formula(key);
+    if (!source) { return std::nullopt; }
+    try {
+        return ScalarFormula{source->value, formula::steps_of(math::read_math(source->value).row, variables)};
+    } catch (const formula::NotEvaluated& failed) {
+        const auto& [at, message, hint] = failed.problem();
+        fields.problems().add(
+            Code::unreadable_formula, fields.place_in(key, at), message,
+            hint.empty() || hint.starts_with("docs/") ? std::string("write it of ") + made_of : hint);
+    }
+    return std::nullopt;
+}
+
+}  // namespace jw::reading
