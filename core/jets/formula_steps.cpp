@@ -29,6 +29,8 @@ constexpr double kBeside = 1e-9;
 // of an integral; a kink is found to 2^-40 of the way
 constexpr double kAccuracy = 1e-12;
 constexpr int kDeepestHalving = 40;
+// some milliseconds; a law that needs more is taken to have no integral
+constexpr int kMostPieces = 20000;
 
 template <class T>
 using Variables = std::array<T, kMostVariables>;
@@ -62,18 +64,32 @@ double size_of(const FormulaStep& step, double value, double a, double size_a, d
 }
 
 /// Simpson's rule, on parts in which the fourth derivative bounds its error by h^5 / 2880 times that.
-double integral_of(const ScalarFormula& formula, double from, double to, double most, int depth) {
-    const auto over = at_rest(formula, Taylor<Interval, 5>::variable({from, to}));
-    const double h = to - from;
-    const double middle = 0.5 * (from + to);
-    const bool is_accurate = over.c[4].magnitude() * 24.0 / 2880.0 * h * h * h * h * h <= most;
-    if (is_accurate || depth == 0) {
-        if (!over.c[0].is_bounded()) { return std::numeric_limits<double>::quiet_NaN(); }
-        return h / 6.0 * (value_at(formula, from) + 4.0 * value_at(formula, middle) + value_at(formula, to));
+class Quadrature {
+public:
+    /// @param most  error of the whole integral per unit of x
+    Quadrature(const ScalarFormula& formula, double most) : formula_(&formula), most_(most) {}
+
+    double over(double from, double to, int depth) {
+        const auto bounds = at_rest(*formula_, Taylor<Interval, 5>::variable({from, to}));
+        const double h = to - from;
+        const double middle = 0.5 * (from + to);
+        const bool is_accurate = bounds.c[4].magnitude() * 24.0 / 2880.0 * h * h * h * h <= most_;
+        if (--parts_left_ < 0 || (depth == 0 && !bounds.c[0].is_bounded())) {
+            return std::numeric_limits<double>::quiet_NaN();
+        }
+        if (is_accurate || depth == 0) {
+            return h / 6.0 *
+                   (value_at(*formula_, from) + 4.0 * value_at(*formula_, middle) + value_at(*formula_, to));
+        }
+        const double left = over(from, middle, depth - 1);
+        return parts_left_ < 0 ? left : left + over(middle, to, depth - 1);
     }
-    return integral_of(formula, from, middle, 0.5 * most, depth - 1) +
-           integral_of(formula, middle, to, 0.5 * most, depth - 1);
-}
+
+private:
+    const ScalarFormula* formula_;
+    double most_;
+    int parts_left_ = kMostPieces;
+};
 
 }  // namespace
 
@@ -134,9 +150,10 @@ bool ScalarFormula::is_smooth_at(double x) const {
 double ScalarFormula::integral(double from, double to) const {
     if (from == to) { return 0.0; }
     if (from > to) { return -integral(to, from); }
-    const double size = size_at(std::array{from, 0.0}) + size_at(std::array{to, 0.0});
-    const double most = kAccuracy * std::max(size, std::numeric_limits<double>::min()) * (to - from);
-    return integral_of(*this, from, to, most, kDeepestHalving);
+    const double largest = at_rest(*this, Taylor<Interval, 1>::variable({from, to})).c[0].magnitude();
+    const double at_ends = size_at(std::array{from, 0.0}) + size_at(std::array{to, 0.0});
+    const double size = std::isfinite(largest) ? largest : at_ends;
+    return Quadrature(*this, kAccuracy * size).over(from, to, kDeepestHalving);
 }
 
 }  // namespace jw

@@ -62,7 +62,7 @@ struct ScalarFormula {
     Slopes slopes_at(double x) const;
     /// False if the value jumps, or has a kink, so near to x that rounding hides on which side it lies.
     bool is_smooth_at(double x) const;
-    /// Integral over x; NaN if there is no value between both.
+    /// Integral over x; NaN if there is no value between both, or too many parts are needed.
     double integral(double from, double to) const;
 
     bool operator==(const ScalarFormula&) const = default;
