@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 #include "core/elementary/elementary.hpp"
@@ -178,6 +179,11 @@ Taylor<S, N> power(const Taylor<S, N>& a, double n) {
         for (auto left = static_cast<unsigned>(n); left > 0; left /= 2) {
             if (left % 2 == 1) { out = out * square; }
             if (left > 1) { square = square * square; }
+        }
+        if constexpr (std::is_same_v<S, Interval>) {
+            // a product does not know that both factors are the same number
+            const bool is_even = std::fmod(n, 2.0) == 0.0;
+            if (is_even && out.c[0].low < 0.0) { out.c[0].low = 0.0; }
         }
         return out;
     }
