@@ -46,23 +46,23 @@ struct ScalarFormula {
     std::string source;
     std::vector<FormulaStep> steps;
 
-    /// Not finite where the formula has no value.
+    /// Value, not finite where the formula has none.
     double at(std::span<const double> variables) const;
     /// Size of the terms of which the value is made: its rounding is relative to it.
     double size_at(std::span<const double> variables) const;
+    /// True if a step takes the variable with this index.
     bool uses(int variable) const;
 
-    // of a formula of x and its rate, at rate 0:
-
+    /// Value and first derivatives of a formula of x and its rate, at rate 0.
     struct Slopes {
         double value = 0.0;
         double by_x = 0.0;
         double by_rate = 0.0;
     };
     Slopes slopes_at(double x) const;
-    /// False if the value jumps, or has a kink, so near to x that rounding hides on which side it lies.
+    /// True if the slope by x is proved to exist at x and so near to it that rounding hides the difference.
     bool is_smooth_at(double x) const;
-    /// Integral over x; NaN if there is no value between both, or too many parts are needed.
+    /// Integral over x at rate 0; NaN if there is no value between both, or too many parts are needed.
     double integral(double from, double to) const;
 
     bool operator==(const ScalarFormula&) const = default;

@@ -50,7 +50,7 @@ struct Taylor {
         }
         return out;
     }
-    /// From b q = a.
+    /// Quotient q, from b q = a.
     friend Taylor operator/(const Taylor& a, const Taylor& b) {
         Taylor out;
         for (std::size_t k = 0; k < N; ++k) {
@@ -92,7 +92,7 @@ Taylor<S, N> integral(const Taylor<S, N>& a, const Taylor<S, N>& q, const S& val
     return out;
 }
 
-/// From b' = a' b.
+/// Exponential b, from b' = a' b.
 template <class S, std::size_t N>
 Taylor<S, N> exponential(const Taylor<S, N>& a) {
     Taylor<S, N> out;
@@ -104,7 +104,7 @@ Taylor<S, N> exponential(const Taylor<S, N>& a) {
     return out;
 }
 
-/// From s' = a' c and c' = -a' s.
+/// Sine s and cosine c, from s' = a' c and c' = -a' s.
 template <class S, std::size_t N>
 std::pair<Taylor<S, N>, Taylor<S, N>> sine_and_cosine(const Taylor<S, N>& a) {
     std::pair<Taylor<S, N>, Taylor<S, N>> out;
@@ -128,7 +128,7 @@ Taylor<S, N> logarithm(const Taylor<S, N>& a) {
     return integral(a, a, log(a.c[0]));
 }
 
-/// From b² = a.
+/// Square root b, from b² = a.
 template <class S, std::size_t N>
 Taylor<S, N> square_root(const Taylor<S, N>& a) {
     Taylor<S, N> out;
@@ -154,7 +154,7 @@ Taylor<S, N> arc_cosine(const Taylor<S, N>& a) {
     return integral(a, -square_root(Taylor<S, N>::constant(1.0) - a * a), acos(a.c[0]));
 }
 
-/// Where the argument may change its sign, there is no rate.
+/// Absolute value; no rate where the argument may change its sign.
 template <std::size_t N>
 Taylor<Interval, N> absolute(const Taylor<Interval, N>& a) {
     if (a.c[0].low > 0.0) { return a; }
@@ -164,13 +164,13 @@ Taylor<Interval, N> absolute(const Taylor<Interval, N>& a) {
     if (a.c[0].is_bounded()) { out.c[0] = {0.0, a.c[0].magnitude()}; }
     return out;
 }
-/// At 0, the rate of what comes after.
+/// Absolute value; at 0, with the rate of the right side.
 template <std::size_t N>
 Taylor<double, N> absolute(const Taylor<double, N>& a) {
     return a.c[0] < 0.0 ? -a : a;
 }
 
-/// Repeated products for a whole exponent from 0 on; otherwise from a b' = n a' b.
+/// Power b: repeated products for a whole exponent from 0 on; otherwise from a b' = n a' b.
 template <class S, std::size_t N>
 Taylor<S, N> power(const Taylor<S, N>& a, double n) {
     if (n == std::floor(n) && n >= 0.0) {

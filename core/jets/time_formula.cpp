@@ -29,6 +29,21 @@ Taylor<S, N> coefficients(const TimeFormula& formula, const S& t) {
 
 Interval between(double a, double b) { return {std::min(a, b), std::max(a, b)}; }
 
+double middle_of(const Interval& part) { return 0.5 * (part.low + part.high); }
+
+/// Calls `is_done` with parts of an interval in their order, each halved until it is true.
+template <class F>
+void look_at_parts(const Interval& whole, F&& is_done) {
+    std::vector<Interval> open{whole};
+    while (!open.empty()) {
+        const Interval part = open.back();
+        open.pop_back();
+        if (is_done(part)) { continue; }
+        open.push_back({middle_of(part), part.high});
+        open.push_back({part.low, middle_of(part)});
+    }
+}
+
 }  // namespace
 
 std::array<double, 3> TimeFormula::taylor_at(double t) const { return coefficients<double, 3>(*this, t).c; }
@@ -42,20 +57,16 @@ std::array<double, 5> TimeFormula::taylor_bounds(double from, double to) const {
 
 std::optional<double> TimeFormula::gap_between(double from, double to) const {
     const double shortest = kShortestPart * (to - from);
-    std::vector<Interval> open{{from, to}};
-    for (int parts = 0; !open.empty(); ++parts) {
-        const Interval part = open.back();
-        open.pop_back();
+    std::optional<double> gap;
+    int parts = 0;
+    look_at_parts({from, to}, [&](const Interval& part) {
         const auto bounds = coefficients<Interval, 3>(*this, part);
-        if (std::ranges::all_of(bounds.c, &Interval::is_bounded)) { continue; }
-        const double middle = 0.5 * (part.low + part.high);
-        if (part.high - part.low <= shortest || parts > kMostParts) {
-            return part.low == from ? from : part.high == to ? to : middle;
-        }
-        open.push_back({middle, part.high});
-        open.push_back({part.low, middle});
-    }
-    return std::nullopt;
+        if (gap || std::ranges::all_of(bounds.c, &Interval::is_bounded)) { return true; }
+        if (part.high - part.low > shortest && ++parts <= kMostParts) { return false; }
+        gap = part.low == from ? from : part.high == to ? to : middle_of(part);
+        return true;
+    });
+    return gap;
 }
 
 void TimeFormula::append_swings(double from, double to, std::vector<double>& times) const {
@@ -66,24 +77,17 @@ void TimeFormula::append_swings(double from, double to, std::vector<double>& tim
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    // a sin(ω t), of size a, has a fourth coefficient of a ω⁴ / 24, which is 4 a / h⁴ for half a period h
+    // a sin(ω t), of size a, has a fourth coefficient of a ω⁴ / 24, which is 4 a / h⁴ for half a period h;
     // what is a millionth of the size of the formula is no swing, and may be rounding
     const double size = taylor_bounds(from, to)[0];
     const double most = 4.0 * 0.5 * (high - low) + kNoSwing * (std::isfinite(size) ? size : 0.0) + kNothing;
-    std::vector<Interval> open{{from, to}};
-    while (!open.empty()) {
-        const Interval part = open.back();
-        open.pop_back();
+    look_at_parts({from, to}, [&](const Interval& part) {
         const double h = part.high - part.low;
         const double fourth = taylor_bounds(part.low, part.high)[4];
-        if (fourth * h * h * h * h <= most || h <= kShortestSwing * (to - from)) {
-            times.push_back(part.high);
-            continue;
-        }
-        const double middle = 0.5 * (part.low + part.high);
-        open.push_back({middle, part.high});
-        open.push_back({part.low, middle});
-    }
+        if (fourth * h * h * h * h > most && h > kShortestSwing * (to - from)) { return false; }
+        times.push_back(part.high);
+        return true;
+    });
 }
 
 }  // namespace jw

@@ -13,7 +13,7 @@ struct TimeFormula {
     ScalarFormula formula;  ///< of the time t [s], its only variable
     double unit = 1.0;      ///< factor of its value: π/180 for a formula of degrees
 
-    /// f, f', f'' / 2 at t. Not finite where the formula has no value.
+    /// Taylor coefficients f, f', f'' / 2 at t; not finite where the formula has no value.
     std::array<double, 3> taylor_at(double t) const;
     /// Bounds between two times: entry k bounds |f^(k)| / k!; entry 0 bounds |f|. Infinite where the formula
     /// has no value, or cannot be bounded.

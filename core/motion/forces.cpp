@@ -144,7 +144,7 @@ bool linearise_laws(Loads& loads, Bodies bodies) {
     bool is_smooth = true;
     const auto linearise = [&](std::optional<ScalarFormula>& law, double x) {
         if (!law) { return; }
-        is_smooth = is_smooth && law->is_smooth_at(x);
+        if (!law->is_smooth_at(x)) { is_smooth = false; }
         using Kind = FormulaStep::Kind;
         const auto [value, by_x, by_rate] = law->slopes_at(x);
         law->steps = {{Kind::number, value}, {Kind::number, by_x},    {Kind::variable, 0.0},

@@ -46,7 +46,9 @@ struct DryFriction {
     double speed = 1.0;  ///< > 0 [m/s], or [rad/s]
 
     bool operator==(const DryFriction&) const = default;
-    double at(double rate) const { return size * (rate / std::sqrt(rate * rate + speed * speed)); }
+    double at(double rate) const {
+        return size == 0.0 ? 0.0 : size * (rate / std::sqrt(rate * rate + speed * speed));
+    }
 };
 
 /// Spring and damper between two points: f = k (ℓ - ℓ0) + c ℓ̇ + friction + law, pulling when positive. With

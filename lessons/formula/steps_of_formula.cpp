@@ -132,13 +132,15 @@ std::span<const Variable> time_only() {
     return variables;
 }
 
-std::vector<FormulaStep> steps_of(const math::Row& formula, std::span<const Variable> variables) {
+ScalarFormula scalar_formula(const std::string& source, std::span<const Variable> variables) {
+    const math::Reading reading = math::read_math(source);
+    if (reading.problem) { throw NotEvaluated(*reading.problem); }
     const auto meaning = [&](const Symbol& symbol) -> std::optional<of_numbers::Term> {
         const auto found = std::ranges::find(variables, symbol, &Variable::symbol);
         if (found == variables.end()) { return std::nullopt; }
         return of_numbers::variable(found->index, found->rate);
     };
-    return Evaluator<of_numbers::Term>({meaning, {}}).expression(formula).steps;
+    return {source, Evaluator<of_numbers::Term>({meaning, {}}).expression(reading.row).steps};
 }
 
 }  // namespace jw::formula

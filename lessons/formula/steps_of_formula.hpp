@@ -17,8 +17,8 @@ struct Variable {
 /// The time t as the only variable.
 std::span<const Variable> time_only();
 
-/// Steps of a formula of numbers and of these variables.
-/// @throws NotEvaluated where something else stands
-std::vector<FormulaStep> steps_of(const math::Row& formula, std::span<const Variable> variables);
+/// Formula of numbers and of these variables.
+/// @throws NotEvaluated where it cannot be read, or something else stands
+ScalarFormula scalar_formula(const std::string& source, std::span<const Variable> variables);
 
 }  // namespace jw::formula

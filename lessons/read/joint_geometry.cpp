@@ -195,25 +195,15 @@ void read_pitch(Fields& fields, JointGeometry& g) {
     if (const auto alpha = fields.number("advance_per_rad")) { g.alpha = alpha->value; }
 }
 
-/// Rate of an angle [rad/s].
-std::optional<double> read_angular_rate(Fields& fields, const std::string& key) {
-    const std::string in_degrees = key + "_deg_per_s";
-    const std::string in_radians = key + "_rad_per_s";
-    if (!fields.at_most_one({in_degrees, in_radians})) { return std::nullopt; }
-    if (const auto rate = fields.number(in_radians)) { return rate->value; }
-    if (const auto rate = fields.number(in_degrees)) { return radians(rate->value); }
-    return std::nullopt;
-}
-
 /// Start values of the artificial coordinate.
 void read_theta(Fields& fields, JointGeometry& g) {
     if (const auto theta = fields.angle("theta")) { g.theta_start = theta->value; }
-    g.theta_dot_start = read_angular_rate(fields, "theta_dot");
+    g.theta_dot_start = read_angular_rate(fields, "theta_dot", &Fields::number);
 }
 
 /// Start rates of the freedoms that the joint has.
 void read_start_rates(Fields& fields, const JointType& type, JointGeometry& g) {
-    if (type.has_angle()) { g.angle_dot_start = read_angular_rate(fields, "angle_dot"); }
+    if (type.has_angle()) { g.angle_dot_start = read_angular_rate(fields, "angle_dot", &Fields::number); }
     if (!type.has_displacement()) { return; }
     if (const auto rate = fields.number("displacement_dot")) { g.displacement_dot_start = rate->value; }
 }
@@ -352,6 +342,17 @@ void read_length(Fields& fields, const BodyPair& pair, bool points_known, JointG
 }
 
 }  // namespace
+
+std::optional<double> read_angular_rate(
+    Fields& fields, const std::string& key,
+    std::optional<Located<double>> (Fields::*read)(std::string_view)) {
+    const std::string in_degrees = key + "_deg_per_s";
+    const std::string in_radians = key + "_rad_per_s";
+    if (!fields.at_most_one({in_degrees, in_radians})) { return std::nullopt; }
+    if (const auto rate = (fields.*read)(in_radians)) { return rate->value; }
+    if (const auto rate = (fields.*read)(in_degrees)) { return radians(rate->value); }
+    return std::nullopt;
+}
 
 void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint) {
     const JointType& type = *joint.type;

@@ -81,19 +81,11 @@ void read_torque(Fields& fields, Reading& reading) {
          against != nullptr ? against->index : -1});
 }
 
-/// The rate up to which friction grows: of an angle, in the units of its key.
+/// Key `friction_speed`, the rate up to which friction grows; of an angle, with its unit.
 std::optional<double> read_friction_speed(Fields& fields, bool angle) {
-    const std::string key = "friction_speed";
-    if (!angle) {
-        const auto speed = fields.positive(key);
-        return speed ? std::optional(speed->value) : std::nullopt;
-    }
-    const std::string in_degrees = key + "_deg_per_s";
-    const std::string in_radians = key + "_rad_per_s";
-    if (!fields.at_most_one({in_degrees, in_radians})) { return std::nullopt; }
-    if (const auto speed = fields.positive(in_radians)) { return speed->value; }
-    if (const auto speed = fields.positive(in_degrees)) { return radians(speed->value); }
-    return std::nullopt;
+    if (angle) { return read_angular_rate(fields, "friction_speed", &Fields::positive); }
+    const auto speed = fields.positive("friction_speed");
+    return speed ? std::optional(speed->value) : std::nullopt;
 }
 
 /// Key `law`. @param letter  of the length, displacement or angle

@@ -8,7 +8,7 @@ std::optional<ScalarFormula> read_scalar_formula(
     const auto source = fields.formula(key);
     if (!source) { return std::nullopt; }
     try {
-        return ScalarFormula{source->value, formula::steps_of(math::read_math(source->value).row, variables)};
+        return formula::scalar_formula(source->value, variables);
     } catch (const formula::NotEvaluated& failed) {
         const auto& [at, message, hint] = failed.problem();
         fields.problems().add(

@@ -102,6 +102,10 @@ struct ReadPoint {
 };
 std::optional<ReadPoint> read_point_of_body(Fields& fields, const Reading& reading);
 
+/// Rate of an angle [rad/s], in the unit of its key. @param read  reads a number: any, or a positive one
+std::optional<double> read_angular_rate(
+    Fields& fields, const std::string& key, std::optional<Located<double>> (Fields::*read)(std::string_view));
+
 /// Names of the joint types for which `has` holds.
 std::string types_with(bool (JointType::*has)() const);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "core/model/placement.hpp"
 #include "lessons/fields/member_keys.hpp"
@@ -48,14 +49,20 @@ void write_vector(
     if (!constant) { write_time_function(magnitude, false, lines); }
 }
 
+/// Keys of a spring, or of one about an axis, that do not say where it is.
 template <class S>
-void write_constants(const S& spring, const std::string& per, Lines& lines) {
+void write_constants(const S& spring, Lines& lines) {
+    constexpr bool kAngle = std::is_same_v<S, RotationalSpring>;
     const bool has_friction = spring.friction != DryFriction{};
     if (spring.stiffness != 0.0 || (spring.damping == 0.0 && !has_friction && !spring.law)) {
-        lines.key("stiffness", spring.stiffness, per);
+        lines.key("stiffness", spring.stiffness, kAngle ? "N m/rad" : "N/m");
     }
     if (spring.damping != 0.0) { lines.key("damping", spring.damping); }
-    if (has_friction) { lines.key("friction", spring.friction.size); }
+    if (has_friction) {
+        lines.key("friction", spring.friction.size);
+        if (kAngle) { lines.angle("friction_speed", spring.friction.speed, "_per_s"); }
+        if (!kAngle) { lines.key("friction_speed", spring.friction.speed, "m/s"); }
+    }
     if (spring.law) { lines.key("law", string_text(spring.law->source)); }
 }
 
@@ -78,8 +85,7 @@ void write_spring_of_joint(const Written& written, const Spring& spring, Lines& 
     if (!joint) { return; }
     lines.table("[[spring]]");
     lines.key("joint", string_text(*joint));
-    write_constants(spring, "N/m", lines);
-    if (spring.friction != DryFriction{}) { lines.key("friction_speed", spring.friction.speed, "m/s"); }
+    write_constants(spring, lines);
     lines.key("free_displacement", spring.free_length, "m");
 }
 
@@ -92,8 +98,7 @@ void write_spring(const Written& written, const Spring& spring, Lines& lines) {
     lines.key("bodies", written.pair(spring.body_i, spring.body_j));
     lines.key("point_i", spring.P_i_local);
     lines.key("point_j", spring.P_j_local);
-    write_constants(spring, "N/m", lines);
-    if (spring.friction != DryFriction{}) { lines.key("friction_speed", spring.friction.speed, "m/s"); }
+    write_constants(spring, lines);
     lines.key("free_length", spring.free_length, "m");
 }
 
@@ -102,8 +107,7 @@ void write_rotational_spring(const Written& written, const RotationalSpring& spr
     if (!joint) { return; }
     lines.table("[[rotational_spring]]");
     lines.key("joint", string_text(*joint));
-    write_constants(spring, "N m/rad", lines);
-    if (spring.friction != DryFriction{}) { lines.angle("friction_speed", spring.friction.speed, "_per_s"); }
+    write_constants(spring, lines);
     lines.angle("free_angle", spring.free_angle);
 }
 

@@ -51,7 +51,7 @@ private:
     test::Random random_;
 };
 
-/// The same by the standard library.
+/// Values of the steps by the standard library.
 Function function_of(const std::vector<FormulaStep>& steps) {
     return [&steps](Real t) { return test::formula_value(steps, t); };
 }

@@ -315,9 +315,7 @@ namespace {
 
 /// One run by the method of `request`. @return whether the method gave way to an implicit one
 bool run_once(const Lesson& lesson, const DynamicsRequest& request, DynamicsTable& table) {
-    if (request.duration > lesson.dynamics->duration) {
-        require_formulas(lesson, 0.0, request.duration, true);
-    }
+    if (request.duration > lesson.dynamics->duration) { require_formulas(lesson, 0.0, request.duration); }
     Simulation simulation(taking_part(lesson), lesson.dynamics->loads, request.settings);
     DynamicsRows rows(lesson, request.quantities, simulation);
     table.columns = rows.columns();

@@ -39,7 +39,7 @@ std::shared_ptr<const Centroidal> scene_of(const Lesson& lesson) {
     return std::make_shared<const Centroidal>(centroidal(taking_part(lesson), lesson.dynamics->loads));
 }
 
-void require_formulas(const Lesson& lesson, double from, double to, bool with_loads) {
+void require_formulas(const Lesson& lesson, double from, double to) {
     const auto require = [&](const TimeFunction& function, const std::string& name) {
         const auto gap = function.formula ? function.formula->gap_between(from, to) : std::nullopt;
         if (!gap) { return; }
@@ -50,7 +50,7 @@ void require_formulas(const Lesson& lesson, double from, double to, bool with_lo
     for (const Driver& driver : lesson.mechanism.drivers) {
         require(driver.function, in_quotes(driver.name));
     }
-    if (!with_loads || !lesson.dynamics) { return; }
+    if (!lesson.dynamics) { return; }
     const Loads& loads = lesson.dynamics->loads;
     for (const AppliedForce& force : loads.forces) { require(force.magnitude, tr("a force")); }
     for (const AppliedTorque& torque : loads.torques) { require(torque.magnitude, tr("a torque")); }

@@ -16,10 +16,9 @@ Mechanism taking_part(const Lesson& lesson);
 /// dynamics.
 std::shared_ptr<const Centroidal> scene_of(const Lesson& lesson);
 
-/// Checks that formulas of time have a value, a rate and an acceleration at all of these times; for times
-/// beyond those of the lesson, for which reading it has checked that.
-/// @param with_loads  those of forces and torques, too
+/// Checks that formulas of drivers and loads have a value, a rate and an acceleration at all of these times;
+/// for times beyond those of the lesson, for which reading it has checked that.
 /// @throws std::invalid_argument with the name of the formula and the time
-void require_formulas(const Lesson& lesson, double from, double to, bool with_loads);
+void require_formulas(const Lesson& lesson, double from, double to);
 
 }  // namespace jw

@@ -82,12 +82,11 @@ TimeTable read_table(Words& words, Unit unit) {
 /// A formula in quotes, with its unit behind: "30 \sin(2 t)" deg.
 TimeFormula read_formula(Words& words, Unit unit) {
     TimeFormula out;
-    out.formula.source = words.text("the formula");
-    const math::Reading reading = math::read_math(out.formula.source);
-    if (reading.problem) { throw Unreadable(reading.problem->message); }
     try {
-        out.formula.steps = formula::steps_of(reading.row, formula::time_only());
-    } catch (const formula::NotEvaluated& failed) { throw Unreadable(failed.problem().message); }
+        out.formula = formula::scalar_formula(words.text("the formula"), formula::time_only());
+    } catch (const formula::NotEvaluated& failed) {
+        throw Unreadable(failed.problem().message, failed.problem().hint);
+    }
     if (degrees_follow(words, unit, "")) { out.unit = radians(1.0); }
     return out;
 }

@@ -181,7 +181,7 @@ std::vector<double> times_of(const SweepPlan& plan) {
 Sweep solve_sweep(
     const Lesson& lesson, const SweepPlan& plan, const std::function<void(double fraction)>& progress) {
     const bool is_beyond = !lesson.motion || plan.from < lesson.motion->from || plan.to > lesson.motion->to;
-    if (is_beyond) { require_formulas(lesson, plan.from, plan.to, true); }
+    if (is_beyond) { require_formulas(lesson, plan.from, plan.to); }
     const Story story(lesson, last_pose_only());
     const Step& last = story.steps().back();
     if (last.failure) { throw not_reached(lesson, last); }

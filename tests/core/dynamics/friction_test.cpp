@@ -70,7 +70,7 @@ double rate_at(const Scene& scene, double end, Method method) {
     return rate;
 }
 
-/// What stays as it is while m v' = -F v / √(v² + s²), once F t / m is added.
+/// First integral of m v' = -F v / √(v² + s²): this plus F t / m is constant.
 double way_left(double v, double s) { return std::hypot(v, s) - s * std::asinh(s / v); }
 
 }  // namespace
