@@ -141,22 +141,23 @@ double size_of(const RotationalSpring& spring) {
 }
 
 bool linearise_laws(Loads& loads, Bodies bodies) {
-    bool is_smooth = true;
+    int kinks = 0;
     const auto linearise = [&](std::optional<ScalarFormula>& law, double x) {
         if (!law) { return; }
-        if (!law->is_smooth_at(x)) { is_smooth = false; }
+        if (!law->is_smooth_at(x)) { ++kinks; }
         using Kind = FormulaStep::Kind;
+        constexpr double index_of_rate = 1.0;
         const auto [value, by_x, by_rate] = law->slopes_at(x);
         law->steps = {{Kind::number, value}, {Kind::number, by_x},    {Kind::variable, 0.0},
                       {Kind::number, x},     {Kind::difference, 0.0}, {Kind::product, 0.0},
-                      {Kind::sum, 0.0},      {Kind::number, by_rate}, {Kind::variable, 1.0},
+                      {Kind::sum, 0.0},      {Kind::number, by_rate}, {Kind::variable, index_of_rate},
                       {Kind::product, 0.0},  {Kind::sum, 0.0}};
     };
     for (Spring& spring : loads.springs) { linearise(spring.law, stretch_of(spring, bodies).length); }
     for (RotationalSpring& spring : loads.rotational_springs) {
         linearise(spring.law, twist_of(spring, bodies).angle + spring.free_angle);
     }
-    return is_smooth;
+    return kinks == 0;
 }
 
 void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {

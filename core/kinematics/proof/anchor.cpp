@@ -125,7 +125,7 @@ bool ProvedPart::choose_and_invert() {
     if (!is_square) {
         MatrixX q = MatrixX::Identity(part_.columns, part_.columns);
         multiply_by_q(qr_.householderQ(), q);
-        square_.bottomRows(part_.columns - part_.rank) = q.rightCols(part_.columns - part_.rank).transpose();
+        square_.bottomRows(part_.free_columns()) = q.rightCols(part_.free_columns()).transpose();
     }
     size_of_inverse_ = invert_chosen();
     if (std::isfinite(size_of_inverse_)) { return true; }
@@ -135,7 +135,7 @@ bool ProvedPart::choose_and_invert() {
 
 /// True if the rows that are not chosen still vanish on what the chosen rows leave free.
 bool ProvedPart::has_same_rank() const {
-    const auto free = inverse_.rightCols(part_.columns - part_.rank);
+    const auto free = inverse_.rightCols(part_.free_columns());
     const double least = kIndependent * free.norm();
     for (int row = 0; row < part_.rows && free.cols() > 0; ++row) {
         if (std::ranges::find(chosen_, row) != chosen_.end()) { continue; }

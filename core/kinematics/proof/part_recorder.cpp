@@ -106,7 +106,7 @@ bool PartRecorder::choose_and_invert(const MatrixX& rows) {
     chosen_.assign(order.begin(), order.begin() + part_.rank);
     MatrixX q = MatrixX::Identity(part_.columns, part_.columns);
     multiply_by_q(qr.householderQ(), q);
-    kept_ = q.rightCols(part_.columns - part_.rank).transpose();
+    kept_ = q.rightCols(part_.free_columns()).transpose();
     size_of_inverse_ = invert();
     return std::isfinite(size_of_inverse_);
 }

@@ -65,6 +65,8 @@ struct Part {
     /// True if what is left free moves several bodies together, so that drivers do not determine their poses.
     /// A rod that turns about itself moves alone.
     bool is_underdriven = false;
+
+    int free_columns() const { return columns - rank; }
 };
 
 /// Columns of the largest part that is proved, 40 bodies: the work grows with their cube. The rank of a

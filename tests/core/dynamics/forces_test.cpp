@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include <array>
+#include <cmath>
 #include <numbers>
 
 #include <Eigen/LU>
@@ -141,6 +143,96 @@ TEST_CASE("A torque against another body acts on it in the opposite direction", 
         CHECK((bodies[0].A * forces[0].n_local + n).norm() < 1e-14);
         CHECK(forces[0].f.norm() + forces[1].f.norm() == 0.0);
     }
+}
+
+namespace {
+
+/// f = 5 x² - 7 + 3 ẋ
+ScalarFormula law_of_test() {
+    using Kind = FormulaStep::Kind;
+    return {
+        "",
+        {{Kind::number, 5.0},
+         {Kind::variable, 0.0},
+         {Kind::power, 2.0},
+         {Kind::product},
+         {Kind::number, 7.0},
+         {Kind::difference},
+         {Kind::number, 3.0},
+         {Kind::variable, 1.0},
+         {Kind::product},
+         {Kind::sum}}};
+}
+
+constexpr DryFriction kFriction{1.5, 0.2};
+
+/// A body at x = 2 m on a spring from the ground, and turned by 0.4 rad about z.
+struct Sprung {
+    Spring spring{0, 1, Vec3::Zero(), Vec3::Zero()};
+    RotationalSpring turned{0, 1, {Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitX()}};
+    std::vector<BodyKinematics<OmegaLocal>> bodies;
+
+    Sprung() {
+        const Vec4 p(std::cos(0.2), 0.0, 0.0, std::sin(0.2));
+        bodies.push_back(kinematics_at<OmegaLocal>(Vec3::Zero(), Vec4::Unit(0), Vec3::Zero(), Vec3::Zero()));
+        bodies.push_back(
+            kinematics_at<OmegaLocal>(Vec3(2.0, 0.0, 0.0), p, 0.5 * Vec3::UnitX(), 0.6 * Vec3::UnitZ()));
+        spring.free_length = 0.5;
+        turned.free_angle = 0.3;
+        spring.law = turned.law = law_of_test();
+        spring.friction = turned.friction = kFriction;
+    }
+    Loads loads() const {
+        Loads out;
+        out.masses.resize(2);
+        out.springs = {spring};
+        out.rotational_springs = {turned};
+        return out;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("Friction and law of a spring add what their formulas say", "[core][dynamics][forces]") {
+    const Sprung scene;
+    std::vector<BodyForce> forces(2);
+    add_forces(scene.loads(), scene.bodies, 0.0, forces);
+    const double pull = 5.0 * 4.0 - 7.0 + 3.0 * 0.5 + kFriction.at(0.5);
+    CHECK(forces[0].f.x() == Approx(pull));
+    CHECK(forces[1].f.x() == Approx(-pull));
+    // of an angle, counted from that at which the spring has none
+    const double angle = 0.4;
+    const double torque = 5.0 * angle * angle - 7.0 + 3.0 * 0.6 + kFriction.at(0.6);
+    CHECK(forces[0].n_local.z() == Approx(torque));
+    CHECK(forces[1].n_local.z() == Approx(-torque));
+}
+
+TEST_CASE("A law of a spring has its integral, its size and its slope", "[core][dynamics][forces]") {
+    Sprung scene;
+    const auto integral = [](double x) { return 5.0 / 3.0 * x * x * x - 7.0 * x; };
+    CHECK(
+        potential_energy(scene.loads(), scene.bodies) ==
+        Approx(integral(2.0) - integral(0.5) + integral(0.4) - integral(0.3)));
+    scene.spring.stiffness = 10.0;
+    CHECK(size_of(scene.spring, scene.bodies) == Approx(10.0 * (2.0 + 0.5) + 5.0 * 4.0 + 7.0 + 3.0 * 0.5));
+    scene.turned.stiffness = 10.0;
+    scene.turned.twist_before = -0.2;
+    CHECK(size_of(scene.turned) == Approx(10.0 * (1.0 + 0.2 + 0.3) + 5.0 * 0.01 + 7.0));
+
+    scene.turned.twist_before = 0.1;
+    Loads loads = scene.loads();
+    CHECK(linearise_laws(loads, scene.bodies));
+    const auto straight = [](double x0, double x, double rate) {
+        return 5.0 * x0 * x0 - 7.0 + 10.0 * x0 * (x - x0) + 3.0 * rate;
+    };
+    CHECK(loads.springs[0].law->at(std::array{2.3, 0.2}) == Approx(straight(2.0, 2.3, 0.2)));
+    CHECK(loads.rotational_springs[0].law->at(std::array{0.9, 0.2}) == Approx(straight(0.4, 0.9, 0.2)));
+    loads.springs[0].law->steps = {
+        {FormulaStep::Kind::variable, 0.0},
+        {FormulaStep::Kind::number, 2.0},
+        {FormulaStep::Kind::difference},
+        {FormulaStep::Kind::absolute}};
+    CHECK_FALSE(linearise_laws(loads, scene.bodies));
 }
 
 TEST_CASE("A spring without length between its ends does not pull", "[core][dynamics][forces]") {
