@@ -60,9 +60,12 @@ std::optional<double> TimeFormula::gap_between(double from, double to) const {
     std::optional<double> gap;
     int parts = 0;
     look_at_parts({from, to}, [&](const Interval& part) {
+        if (gap) { return true; }
+        const bool is_last = part.high - part.low <= shortest || parts > kMostParts;
+        ++parts;
         const auto bounds = coefficients<Interval, 3>(*this, part);
-        if (gap || std::ranges::all_of(bounds.c, &Interval::is_bounded)) { return true; }
-        if (part.high - part.low > shortest && ++parts <= kMostParts) { return false; }
+        if (std::ranges::all_of(bounds.c, &Interval::is_bounded)) { return true; }
+        if (!is_last) { return false; }
         gap = part.low == from ? from : part.high == to ? to : middle_of(part);
         return true;
     });

@@ -167,7 +167,7 @@ private:
         if (part.rank == part.columns) { return; }
         MatrixX q = MatrixX::Identity(part.columns, part.columns);
         multiply_by_q(qr.householderQ(), q);
-        const MatrixX free = q.rightCols(part.columns - part.rank);
+        const MatrixX free = q.rightCols(part.free_columns());
         const MatrixX projector = free * free.transpose();
         for (const int k : part.unknowns) {
             for (const int l : part.unknowns) {
