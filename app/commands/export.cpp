@@ -81,12 +81,7 @@ void write_pictures(
 
 /// The chosen step; by default the one at which everything is assembled.
 int step_of(const ExportOptions& options, const Story& story) {
-    const int last = static_cast<int>(story.steps().size()) - 1;
-    if (options.step && *options.step > last) {
-        throw CommandError(
-            Exit::bad_input, "jointwise: error: --step " + std::to_string(*options.step) +
-                                 ": the lesson has steps 0 to " + std::to_string(last));
-    }
+    if (options.step) { check_step("--step", *options.step, static_cast<int>(story.steps().size()) - 1); }
     return options.step.value_or(story.last_assembled());
 }
 
@@ -124,33 +119,24 @@ Exit export_command(const ExportOptions& options, const Streams& streams) {
 void add_export(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("export", "write a lesson for papers, slides and other programs");
     const auto options = std::make_shared<ExportOptions>();
-    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->experiments);
-    command->add_option("--step", options->step, "step of the lesson; default: all joints assembled")
-        ->check(&fault_of_step)
-        ->type_name("N");
-    command
-        ->add_option(
-            "--latex", options->latex,
-            "equations and Jacobian of the step in LaTeX (amsmath); - for standard output")
-        ->type_name("FILE");
-    command->add_option("--csv", options->csv, "the Jacobian as a table; - for standard output")
-        ->type_name("FILE");
-    command
-        ->add_option("--svg", options->svg, "picture of the step as vector graphics; its 3D part is pixels")
-        ->type_name("FILE");
-    command->add_option("--pdf", options->pdf, "the same as PDF; text stays text")->type_name("FILE");
-    command->add_option("--size", options->size, "size of --svg and --pdf in pixels")
-        ->type_name("WxH")
+    add_lesson_options(*command, options->file, options->experiments);
+    add_value(*command, "--step", options->step, "N", "step of the lesson; default: all joints assembled")
+        ->check(&fault_of_step);
+    add_value(
+        *command, "--latex", options->latex, "FILE",
+        "equations and Jacobian of the step in LaTeX (amsmath); - for standard output");
+    add_value(*command, "--csv", options->csv, "FILE", "the Jacobian as a table; - for standard output");
+    add_value(
+        *command, "--svg", options->svg, "FILE",
+        "picture of the step as vector graphics; its 3D part is pixels");
+    add_value(*command, "--pdf", options->pdf, "FILE", "the same as PDF; text stays text");
+    add_value(*command, "--size", options->size, "WxH", "size of --svg and --pdf in pixels")
         ->capture_default_str();
-    command
-        ->add_option(
-            "--gltf", options->gltf, "the mechanism with its motion as a scene, binary glTF 2.0 (.glb)")
-        ->type_name("FILE");
+    add_value(
+        *command, "--gltf", options->gltf, "FILE",
+        "the mechanism with its motion as a scene, binary glTF 2.0 (.glb)");
     command->footer("Example: jointwise export lessons/catalogue/loops/four-bar.toml --gltf four-bar.glb");
-    command->callback([options, &streams, &run] {
-        run = [options, &streams] { return export_command(*options, streams); };
-    });
+    sets_run(*command, run, streams, options, export_command);
 }
 
 }  // namespace jw

@@ -291,29 +291,22 @@ Exit grade(const GradeOptions& options, const Streams& streams) {
 void add_grade(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("grade", "grade submissions of students");
     auto options = std::make_shared<GradeOptions>();
-    command->add_option("FOLDER", options->folders, "submissions, or folders of submissions")
-        ->required()
-        ->type_name("");
-    command->add_option("--key", options->key, "key file of the course, as for 'sheet'")
-        ->required()
-        ->type_name("FILE");
-    command
-        ->add_option("--exercises", options->exercises, "files of exercises; default: those named in the key")
-        ->type_name("FILE");
-    command
-        ->add_option(
-            "--out", options->out,
-            "folder for results, a report of the class and a table; unchanged submissions with results in it "
-            "are not graded again")
-        ->type_name("FOLDER");
-    command->add_option("--jobs", options->jobs, "submissions graded in parallel; default: one per processor")
-        ->check(CLI::Range(1, 256))
-        ->type_name("N");
+    add_value(*command, "FOLDER", options->folders, "", "submissions, or folders of submissions")->required();
+    add_value(*command, "--key", options->key, "FILE", "key file of the course, as for 'sheet'")->required();
+    add_value(
+        *command, "--exercises", options->exercises, "FILE",
+        "files of exercises; default: those named in the key");
+    add_value(
+        *command, "--out", options->out, "FOLDER",
+        "folder for results, a report of the class and a table; unchanged submissions with results in it "
+        "are not graded again");
+    add_value(
+        *command, "--jobs", options->jobs, "N", "submissions graded in parallel; default: one per processor")
+        ->check(CLI::Range(1, 256));
     command->add_flag("--again", options->again, "grade everything again");
     add_format_option(*command, options->format, {"text", "json", "junit", "gradescope", "csv"});
     command->footer("Example: jointwise grade submissions --key key.toml --out grades");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return grade(*options, streams); }; });
+    sets_run(*command, run, streams, options, grade);
 }
 
 }  // namespace jw

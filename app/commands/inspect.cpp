@@ -7,7 +7,6 @@
 #include "app/commands/options/format_option.hpp"
 #include "app/commands/program/commands.hpp"
 #include "app/commands/program/outputs.hpp"
-#include "app/commands/proof_file.hpp"
 #include "app/session/output/describe_inspection.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/labels.hpp"
@@ -34,10 +33,7 @@ Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
     const Spectrum spectrum = options.spectrum ? Spectrum::always : Spectrum::of_small;
     if (options.as_given) { return inspect_as_given(lesson, choice, spectrum); }
     if (options.time) {
-        if (!std::isfinite(*options.time)) {
-            throw CommandError(
-                Exit::bad_input, "jointwise: error: --time is not finite; expected a time in s");
-        }
+        if (!std::isfinite(*options.time)) { throw bad_input("--time is not finite; expected a time in s"); }
         return inspect_time(lesson, *options.time, choice, spectrum);
     }
     StoryOptions how = options.step ? poses_only(true) : last_pose_only();
@@ -47,11 +43,7 @@ Inspection inspected(const InspectOptions& options, const Lesson& lesson) {
     if (!options.step) {
         if (const Step* failed = story.failure()) { throw not_reached(lesson, *failed); }
     }
-    if (options.step && *options.step > last) {
-        throw CommandError(
-            Exit::bad_input, "jointwise: error: --step " + std::to_string(*options.step) +
-                                 ": the lesson has steps 0 to " + std::to_string(last));
-    }
+    if (options.step) { check_step("--step", *options.step, last); }
     return inspect_step(story, options.step.value_or(last), choice, spectrum);
 }
 
@@ -73,9 +65,7 @@ Exit inspect(const InspectOptions& options, const Streams& streams) {
     const Inspection inspection = inspected(options, lesson);
     if (!options.proof.empty()) { write_rank(options.proof, inspection, lesson); }
     if (options.format == "json") {
-        Json json = json_of(inspection, lesson);
-        add_done(json, changed.done);
-        streams.out << json_document(json);
+        streams.out << document_of(json_of(inspection, lesson), changed.done);
     } else {
         streams.out << done_text(changed.done) << describe(inspection, lesson);
     }
@@ -88,13 +78,12 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand(
         "inspect", "show every number of the equations at one moment; default: the assembled pose");
     auto options = std::make_shared<InspectOptions>();
-    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->experiments);
+    add_lesson_options(*command, options->file, options->experiments);
     auto* step =
-        command->add_option("--step", options->step, "step of the lesson, as counted by 'jointwise step'")
-            ->check(&fault_of_step)
-            ->type_name("N");
-    auto* time = command->add_option("--time", options->time, "time of the motion [s]")->type_name("T");
+        add_value(
+            *command, "--step", options->step, "N", "step of the lesson, as counted by 'jointwise step'")
+            ->check(&fault_of_step);
+    auto* time = add_value(*command, "--time", options->time, "T", "time of the motion [s]");
     auto* given =
         command->add_flag("--as-given", options->as_given, "use the state in the file, without assembly");
     step->excludes(time)->excludes(given);
@@ -103,20 +92,16 @@ void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
         "--spectrum", options->spectrum,
         "compute singular values and free motions also for more than 300 columns; this may take minutes, "
         "Ctrl-C stops it");
-    command
-        ->add_option(
-            "--coordinates", options->coordinates,
-            "rp, rp-modified, omega-local or omega-global; default: the lesson's")
-        ->check(CLI::IsMember(words_of(kChoices)))
-        ->type_name("CHOICE");
+    add_value(
+        *command, "--coordinates", options->coordinates, "CHOICE",
+        "rp, rp-modified, omega-local or omega-global; default: the lesson's")
+        ->check(CLI::IsMember(words_of(kChoices)));
     add_format_option(*command, options->format, {"text", "json"});
-    command->add_option("--proof", options->proof, "file for a proof of the rank (docs/proofs.md)")
-        ->type_name("FILE");
+    add_value(*command, "--proof", options->proof, "FILE", "file for a proof of the rank (docs/proofs.md)");
     command->footer(
         "Example: jointwise inspect lessons/catalogue/loops/bennett.toml --coordinates omega-local --format "
         "json");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return inspect(*options, streams); }; });
+    sets_run(*command, run, streams, options, inspect);
 }
 
 }  // namespace jw

@@ -118,9 +118,9 @@ Exit list(const ListOptions& options, const Streams& streams) {
     const ListRequest request = request_of(options.arguments);
     const CourseLessons course = course_lessons(request.folder);
     if (course.lessons.empty()) {
-        throw CommandError(
-            Exit::bad_input, "jointwise: error: no lesson (*.toml) below '" + request.folder +
-                                 "'; give another folder, or set JOINTWISE_LESSONS");
+        throw bad_input(
+            "no lesson (*.toml) below '" + request.folder +
+            "'; give another folder, or set JOINTWISE_LESSONS");
     }
     Exit exit = course.report.empty() ? Exit::done : Exit::bad_input;
     streams.err << course.report;
@@ -158,15 +158,12 @@ Exit list(const ListOptions& options, const Streams& streams) {
 void add_list(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("list", "show the lessons, by chapter, or search them");
     auto options = std::make_shared<ListOptions>();
-    command
-        ->add_option(
-            "FOLDER", options->arguments,
-            "folder to search, and words that lessons must have; 'slide 5' is looked for in their source")
-        ->type_name("[WORDS...]");
+    add_value(
+        *command, "FOLDER", options->arguments, "[WORDS...]",
+        "folder to search, and words that lessons must have; 'slide 5' is looked for in their source");
     add_format_option(*command, options->format, {"text", "markdown", "json"});
     command->footer("Example: jointwise list slide 5");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return list(*options, streams); }; });
+    sets_run(*command, run, streams, options, list);
 }
 
 }  // namespace jw

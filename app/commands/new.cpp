@@ -68,9 +68,7 @@ Exit write_new(const std::string& name, bool exercise, const Streams& streams) {
 void add_new(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("new", "write a small lesson to begin with");
     auto name = std::make_shared<std::string>();
-    command->add_option("NAME", *name, "name of the lesson; the file is NAME.toml")
-        ->required()
-        ->type_name("");
+    add_value(*command, "NAME", *name, "", "name of the lesson; the file is NAME.toml")->required();
     auto exercise = std::make_shared<bool>(false);
     command->add_flag(
         "--exercise", *exercise, "add an exercise whose numbers differ from student to student");

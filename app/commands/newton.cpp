@@ -48,17 +48,13 @@ int start_of(const Story& story, const std::string& at) {
         const bool is_joint = addition.kind == Addition::Kind::joint;
         names.push_back(is_joint ? lesson.mechanism.joints[k].name : lesson.mechanism.drivers[k].name);
     }
-    if (names.empty()) {
-        throw CommandError(Exit::bad_input, "jointwise: error: the lesson has no joint: nothing is solved");
-    }
+    if (names.empty()) { throw bad_input("the lesson has no joint: nothing is solved"); }
     if (at.empty()) { return start_of_telling_closing(story); }
     const std::size_t place = place_in(names, at);
     if (place == names.size()) {
-        const std::string hint = did_you_mean(at, names);
-        throw CommandError(
-            Exit::bad_input, "jointwise: error: --at " + in_quotes(at) +
-                                 ": no such joint or driver; expected one of " + comma_list(names) +
-                                 (hint.empty() ? "" : "\nhint: " + hint));
+        throw bad_input(
+            "--at " + in_quotes(at) + ": no such joint or driver; expected one of " + comma_list(names),
+            did_you_mean(at, names));
     }
     const int start = start_of_closing(story, lesson.order[place]);
     if (start < 0) { throw not_reached(lesson, *story.failure()); }
@@ -70,9 +66,7 @@ Exit newton(const NewtonChoices& options, const Streams& streams) {
     const Story story(changed.lesson, poses_only());
     const NewtonRuns runs = run_newton(story, start_of(story, options.at), plan_of(options, changed.lesson));
     if (options.format == "json") {
-        Json json = json_of(runs, changed.lesson);
-        add_done(json, changed.done);
-        streams.out << json_document(json);
+        streams.out << document_of(json_of(runs, changed.lesson), changed.done);
     } else if (options.format == "csv") {
         streams.err << done_text(changed.done);
         streams.out << csv_of(runs.comparison.residuals);
@@ -90,34 +84,27 @@ void add_newton(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
         app.add_subcommand("newton", "compare variants of Newton's method, or coordinates, from one start");
     auto options = std::make_shared<NewtonChoices>();
-    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->experiments);
-    command
-        ->add_option(
-            "--at", options->at,
-            "joint or driver to close; default: one that meets a wrong branch, else the one with most "
-            "iterations")
-        ->type_name("NAME");
-    command->add_option("--compare", options->compare, "what to compare: methods or coordinates")
+    add_lesson_options(*command, options->file, options->experiments);
+    add_value(
+        *command, "--at", options->at, "NAME",
+        "joint or driver to close; default: one that meets a wrong branch, else the one with most "
+        "iterations");
+    add_value(*command, "--compare", options->compare, "WHAT", "what to compare: methods or coordinates")
         ->check(CLI::IsMember({"methods", "coordinates"}))
-        ->type_name("WHAT")
         ->capture_default_str();
-    command
-        ->add_option(
-            "--coordinates", options->coordinates, "coordinates of the methods; default: the lesson's")
-        ->check(CLI::IsMember(words_of(kChoices)))
-        ->type_name("CHOICE");
-    command->add_option("--method", options->method, "method used to compare coordinates")
+    add_value(
+        *command, "--coordinates", options->coordinates, "CHOICE",
+        "coordinates of the methods; default: the lesson's")
+        ->check(CLI::IsMember(words_of(kChoices)));
+    add_value(*command, "--method", options->method, "METHOD", "method used to compare coordinates")
         ->check(CLI::IsMember(words_of(kNewtonMethods)))
-        ->type_name("METHOD")
         ->capture_default_str();
     command->add_flag(
         "--without-normalisation", options->without_normalisation,
         "leave out the rows p'p - 1 of the (r, p) choices");
     add_format_option(*command, options->format, {"text", "json", "csv"});
     command->footer("Example: jointwise newton lessons/catalogue/hard/anti-parallel.toml --compare methods");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return newton(*options, streams); }; });
+    sets_run(*command, run, streams, options, newton);
 }
 
 }  // namespace jw

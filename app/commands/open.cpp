@@ -50,9 +50,9 @@ void begin(host::Host& host, const std::string& exercise) {
     for (const PracticeExercise& offered : host.exercises().practice().exercises()) {
         names += (names.empty() ? "" : ", ") + offered.exercise->name;
     }
-    throw CommandError(
-        Exit::bad_input, "jointwise: error: --exercise '" + exercise + "'; the lesson has " +
-                             (names.empty() ? "no exercises" : "these: " + names));
+    throw bad_input(
+        "--exercise '" + exercise + "'; the lesson has " +
+        (names.empty() ? "no exercises" : "these: " + names));
 }
 
 /// Draws the window into a file, without a display.
@@ -107,19 +107,14 @@ host::Address address_in(
         check_exercise(file, address.exercise);
         return address;
     } catch (const CommandError&) { throw; } catch (const std::runtime_error& error) {
-        throw CommandError(
-            Exit::bad_input, "jointwise: error: address " + in_quotes(options.file) + ": " + error.what());
+        throw bad_input("address " + in_quotes(options.file) + ": " + error.what());
     }
 }
 
 Exit open(const OpenOptions& options, const Streams& streams) {
     const PixelSize size = size_option(options.size, kSmallestWindow, kLargestWindow);
-    if (!std::isfinite(options.text)) {
-        throw CommandError(Exit::bad_input, "jointwise: error: --text is not finite; expected 0.75 to 1.5");
-    }
-    if (!std::isfinite(options.density)) {
-        throw CommandError(Exit::bad_input, "jointwise: error: --density is not finite; expected 0 to 8");
-    }
+    if (!std::isfinite(options.text)) { throw bad_input("--text is not finite; expected 0.75 to 1.5"); }
+    if (!std::isfinite(options.density)) { throw bad_input("--density is not finite; expected 0 to 8"); }
     if (!options.picture.empty()) { check_output("--picture", options.picture, {options.file}); }
     WindowSetup setup;
     setup.host.catalogue = catalogue_folder();
@@ -144,10 +139,9 @@ Exit open(const OpenOptions& options, const Streams& streams) {
         // mistakes are reported before a window opens
         const Lesson lesson = lesson_of(options.file, options.experiments, streams).lesson;
         if (!options.at.empty() && !step_at(Story(lesson), options.at)) {
-            throw CommandError(
-                Exit::bad_input,
-                "jointwise: error: --at '" + options.at +
-                    "'; expected a step from 1 on, a joint or driver of the lesson, or t=SECONDS");
+            throw bad_input(
+                "--at '" + options.at +
+                "'; expected a step from 1 on, a joint or driver of the lesson, or t=SECONDS");
         }
         setup.file = options.file;
         setup.at = options.at;
@@ -170,44 +164,35 @@ Exit open(const OpenOptions& options, const Streams& streams) {
 void add_open(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("open", "open the window, with a lesson or the list of lessons");
     auto options = std::make_shared<OpenOptions>();
-    command
-        ->add_option(
-            "FILE", options->file,
-            "lesson file, or address of a page; without it, the list of lessons is shown")
-        ->type_name("");
-    command->add_option("--at", options->at, "where to begin: a step, a joint or driver, or t=SECONDS")
-        ->type_name("STEP");
+    add_value(
+        *command, "FILE", options->file, "",
+        "lesson file, or address of a page; without it, the list of lessons is shown");
+    add_value(
+        *command, "--at", options->at, "STEP", "where to begin: a step, a joint or driver, or t=SECONDS");
     add_try_option(*command, options->experiments);
-    command->add_option("--size", options->size, "size of the window")
-        ->type_name("WxH")
-        ->capture_default_str();
+    add_value(*command, "--size", options->size, "WxH", "size of the window")->capture_default_str();
     command->add_flag("--dark", options->dark, "light text on a dark background");
-    command->add_option("--text", options->text, "size of text, 0.75 to 1.5")
+    add_value(*command, "--text", options->text, "X", "size of text, 0.75 to 1.5")
         ->check(CLI::Range(0.75, 1.5))
-        ->type_name("X")
         ->capture_default_str();
-    command
-        ->add_option(
-            "--density", options->density,
-            "pixels of the screen per pixel of a web page: 3 on most phones; 0: not known")
+    add_value(
+        *command, "--density", options->density, "X",
+        "pixels of the screen per pixel of a web page: 3 on most phones; 0: not known")
         ->check(CLI::Range(0.0, 8.0))
-        ->type_name("X")
         ->capture_default_str();
-    command
-        ->add_option(
-            "--tab", options->tab, "tab beside the picture: step, try, plots, newton, price or exercises")
+    add_value(
+        *command, "--tab", options->tab, "TAB",
+        "tab beside the picture: step, try, plots, newton, price or exercises")
         ->check(CLI::IsMember(words_of(host::kTabs)))
-        ->type_name("TAB")
         ->capture_default_str();
-    command->add_option("--exercise", options->exercise, "exercise of the lesson to begin with")
-        ->type_name("NAME");
-    command->add_option("--picture", options->picture, "draw what the window shows into a PNG file instead")
-        ->type_name("FILE");
+    add_value(*command, "--exercise", options->exercise, "NAME", "exercise of the lesson to begin with");
+    add_value(
+        *command, "--picture", options->picture, "FILE",
+        "draw what the window shows into a PNG file instead");
     command->footer(
         "Example: jointwise open lessons/catalogue/loops/four-bar.toml --at B\n"
         "         jointwise open '#four-bar/D?try=form+D+drop+x'");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return open(*options, streams); }; });
+    sets_run(*command, run, streams, options, open);
 }
 
 }  // namespace jw

@@ -33,11 +33,6 @@ struct PlotOptions {
 constexpr PixelSize kSmallestPlot{320, 320};
 constexpr PixelSize kLargestPlot{3840, 3840};
 
-CommandError bad(const std::string& message, const std::string& hint = {}) {
-    return CommandError(
-        Exit::bad_input, "jointwise: error: " + message + (hint.empty() ? "" : "\nhint: " + hint));
-}
-
 /// The joint whose pairs are plotted: the named joint, or else the joint that the story is about.
 int joint_of(const PlotOptions& options, const Story& story) {
     std::vector<std::string> names;
@@ -45,7 +40,7 @@ int joint_of(const PlotOptions& options, const Story& story) {
     if (options.joint.empty()) { return std::max(0, story.featured_joint()); }
     const auto found = std::ranges::find(names, options.joint);
     if (found == names.end()) {
-        throw bad(
+        throw bad_input(
             "--joint " + in_quotes(options.joint) + ": no such joint; expected one of " + comma_list(names),
             did_you_mean(options.joint, names));
     }
@@ -78,7 +73,7 @@ std::vector<int> chosen(const SeriesSet& set, const std::vector<std::string>& cu
     for (const std::string& curve : curves) {
         const auto found = std::ranges::find(names, curve);
         if (found == names.end()) {
-            throw bad(
+            throw bad_input(
                 "no curve " + in_quotes(curve) + "; expected one of " + comma_list(names),
                 did_you_mean(curve, names));
         }
@@ -118,7 +113,7 @@ Exit plot(const PlotOptions& options, const Streams& streams) {
     const PixelSize size = size_option(options.size, kSmallestPlot, kLargestPlot);
     const bool is_csv = options.out.ends_with(".csv");
     if (!is_csv && !options.out.ends_with(".png")) {
-        throw bad("--out " + in_quotes(options.out) + "; expected a name that ends in .png or .csv");
+        throw bad_input("--out " + in_quotes(options.out) + "; expected a name that ends in .png or .csv");
     }
     check_output("--out", options.out, {options.file});
     const ChangedLesson changed = lesson_of(options.file, options.experiments, streams);
@@ -128,7 +123,7 @@ Exit plot(const PlotOptions& options, const Streams& streams) {
     const Story story(changed.lesson, how);
     SeriesSet set = set_of(options, story);
     if (set.at.empty() && story.failure() != nullptr) { throw not_reached(changed.lesson, *story.failure()); }
-    if (set.at.empty()) { throw bad("nothing to plot: " + set.why_empty); }
+    if (set.at.empty()) { throw bad_input("nothing to plot: " + set.why_empty); }
     panels::PlotState state;
     state.shown = chosen(set, found_curves(options, story, set, streams));
     if (is_csv) {
@@ -152,31 +147,24 @@ void add_plot(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
         app.add_subcommand("plot", "plot curves over time or iterations, as a picture or a table");
     auto options = std::make_shared<PlotOptions>();
-    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->experiments);
-    command->add_option("--of", options->of, "quantities, residuals, singular-values or conditions")
+    add_lesson_options(*command, options->file, options->experiments);
+    add_value(*command, "--of", options->of, "WHAT", "quantities, residuals, singular-values or conditions")
         ->check(CLI::IsMember(words_of(kPlotted)))
-        ->type_name("WHAT")
         ->capture_default_str();
-    command
-        ->add_option(
-            "--joint", options->joint, "joint for --of conditions; default: the one that the lesson is about")
-        ->type_name("NAME");
-    command
-        ->add_option(
-            "--curves", options->curves,
-            "names of curves, separated by commas; default: the most important ones")
+    add_value(
+        *command, "--joint", options->joint, "NAME",
+        "joint for --of conditions; default: the one that the lesson is about");
+    add_value(
+        *command, "--curves", options->curves, "A,B",
+        "names of curves, separated by commas; default: the most important ones")
         ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("A,B");
-    command->add_option("--out", options->out, "FILE.png or FILE.csv")->required()->type_name("FILE");
-    command->add_option("--size", options->size, "size of the picture in pixels")
-        ->type_name("WxH")
+        ->allow_extra_args(false);
+    add_value(*command, "--out", options->out, "FILE", "FILE.png or FILE.csv")->required();
+    add_value(*command, "--size", options->size, "WxH", "size of the picture in pixels")
         ->capture_default_str();
     command->footer(
         "Example: jointwise plot lessons/catalogue/loops/four-bar.toml --of singular-values --out sigma.png");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return plot(*options, streams); }; });
+    sets_run(*command, run, streams, options, plot);
 }
 
 }  // namespace jw

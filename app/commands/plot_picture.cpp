@@ -36,7 +36,7 @@ render::Image picture_of_plot(
         const float head = canvas.line_height(canvas.fonts().bold) + canvas.px(10.0F);
         const panels::Box line = panels::cut_top(box, head);
         canvas.text({line.x, line.y}, canvas.fonts().bold, panels::theme::kInk, title);
-        panels::plot(canvas, box, set, state);
+        panels::draw_plot(canvas, panels::layout_plot(canvas, box, set, state), set, state);
     };
     return picture_of_panel(
         width, height, draw, panels::characters_in(title) + panels::characters_of_messages());

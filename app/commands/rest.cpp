@@ -29,9 +29,7 @@ Exit rest_command(const RestOptions& options, const Streams& streams) {
         throw CommandError(Exit::bad_input, options.file + ": error: " + error.what());
     }
     if (options.format == "json") {
-        Json json = json_of(view, changed.lesson);
-        add_done(json, changed.done);
-        streams.out << json_document(json);
+        streams.out << document_of(json_of(view, changed.lesson), changed.done);
     } else if (view.failure.empty()) {
         streams.out << done_text(changed.done) << describe(view);
     }
@@ -46,20 +44,16 @@ void add_rest(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand(
         "rest", "find the equilibrium under masses and forces, what holds it, and small motions about it");
     auto options = std::make_shared<RestOptions>();
-    command->add_option("FILE", options->file, "lesson file with [dynamics]")->required()->type_name("");
-    add_try_option(*command, options->experiments);
-    command
-        ->add_option(
-            "--hold", options->held,
-            "joint whose angle or displacement stays as assembled; the torque or force that holds it is "
-            "written as its effort")
-        ->type_name("JOINT");
+    add_lesson_options(*command, options->file, options->experiments, "lesson file with [dynamics]");
+    add_value(
+        *command, "--hold", options->held, "JOINT",
+        "joint whose angle or displacement stays as assembled; the torque or force that holds it is "
+        "written as its effort");
     command->add_flag(
         "--nearest", options->nearest, "find the equilibrium nearest to the start, even an unstable one");
     add_format_option(*command, options->format, {"text", "json"});
     command->footer("Example: jointwise rest lessons/catalogue/dynamics/simple-pendulum.toml");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return rest_command(*options, streams); }; });
+    sets_run(*command, run, streams, options, rest_command);
 }
 
 }  // namespace jw

@@ -143,30 +143,25 @@ void add_sheet(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
         app.add_subcommand("sheet", "write sheets of exercises, with different numbers for each student");
     auto options = std::make_shared<SheetOptions>();
-    command->add_option("FILE", options->files, "files of exercises, or lessons with [[exercise]]")
-        ->required()
-        ->type_name("");
-    command->add_option("--student", options->student, "a sheet for one student")->type_name("ID");
-    command
-        ->add_option(
-            "--class", options->roster, "a sheet for each student in the first column of a list (CSV)")
-        ->type_name("FILE");
-    command->add_option("--variants", options->variants, "N sheets without a student, for example for a quiz")
-        ->check(CLI::Range(1, 1000))
-        ->type_name("N");
-    command->add_option("--key", options->key, "key file of the course; it contains a secret")
-        ->required()
-        ->type_name("FILE");
-    command->add_option("--out", options->out, "folder that gets a folder for each student")
-        ->required()
-        ->type_name("FOLDER");
+    add_value(*command, "FILE", options->files, "", "files of exercises, or lessons with [[exercise]]")
+        ->required();
+    add_value(*command, "--student", options->student, "ID", "a sheet for one student");
+    add_value(
+        *command, "--class", options->roster, "FILE",
+        "a sheet for each student in the first column of a list (CSV)");
+    add_value(
+        *command, "--variants", options->variants, "N", "N sheets without a student, for example for a quiz")
+        ->check(CLI::Range(1, 1000));
+    add_value(*command, "--key", options->key, "FILE", "key file of the course; it contains a secret")
+        ->required();
+    add_value(*command, "--out", options->out, "FOLDER", "folder that gets a folder for each student")
+        ->required();
     command->add_flag("--solution", options->solution, "write the solutions, too");
     command->add_flag("--no-figures", options->without_figures, "do not draw figures");
     add_format_option(*command, options->format, {"files", "moodle"});
     command->footer(
         "Example: jointwise sheet lessons/exercises/vectors.toml --student s1 --key key.toml --out sheets");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return make_sheets(*options, streams); }; });
+    sets_run(*command, run, streams, options, make_sheets);
 }
 
 }  // namespace jw

@@ -94,9 +94,7 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
     }
     if (options.old_names) { rename_columns(table.columns, table.column_of("p_drift")); }
     if (options.format == "json") {
-        Json json = json_of(table, lesson);
-        add_done(json, changed.done);
-        streams.out << json_document(json);
+        streams.out << document_of(json_of(table, lesson), changed.done);
     } else {
         streams.out << csv_of(table.columns, table.rows);
     }
@@ -120,18 +118,14 @@ void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
         app.add_subcommand("simulate", "compute the motion under masses and forces, as a table");
     auto options = std::make_shared<SimulateOptions>();
-    command->add_option("FILE", options->file, "lesson file with [dynamics]")->required()->type_name("");
-    add_try_option(*command, options->experiments);
-    command->add_option("--duration", options->duration, "time to simulate [s]; default: the lesson's")
-        ->type_name("T");
-    command->add_option("--samples", options->samples, "number of equal intervals in the table; default: 100")
-        ->type_name("N");
+    add_lesson_options(*command, options->file, options->experiments, "lesson file with [dynamics]");
+    add_value(*command, "--duration", options->duration, "T", "time to simulate [s]; default: the lesson's");
+    add_value(
+        *command, "--samples", options->samples, "N", "number of equal intervals in the table; default: 100");
     add_dynamics_options(*command, options->dynamics);
-    command
-        ->add_option(
-            "--most-steps", options->most_steps,
-            "steps after which an adaptive method gives up; default: one million")
-        ->type_name("N");
+    add_value(
+        *command, "--most-steps", options->most_steps, "N",
+        "steps after which an adaptive method gives up; default: one million");
     command->add_flag("--reactions", options->reactions, "also write forces and torques of all joints");
     add_format_option(*command, options->format, {"csv", "json"});
     add_quantities_option(*command, options->quantities);
@@ -139,9 +133,7 @@ void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
     command->footer(
         "Example: jointwise simulate lessons/catalogue/dynamics/andrews.toml --method explicit-8 --tolerance "
         "1e-9");
-    command->callback([options, &streams, &run] {
-        run = [options, &streams] { return simulate_command(*options, streams); };
-    });
+    sets_run(*command, run, streams, options, simulate_command);
 }
 
 }  // namespace jw

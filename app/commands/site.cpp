@@ -147,26 +147,20 @@ void add_site(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
         app.add_subcommand("site", "write the lessons of a folder as a web site that contains the program");
     auto setup = std::make_shared<SiteSetup>();
-    command->add_option("FOLDER", setup->folder, "folder of lessons, with course.toml for their order")
-        ->required()
-        ->type_name("");
-    command->add_option("--out", setup->out, "folder of the site; an earlier site in it is replaced")
-        ->required()
-        ->type_name("DIR");
-    command
-        ->add_option(
-            "--exercises", setup->exercises,
-            "folder of files of exercises (default: 'exercises' beside the lessons, if it exists)")
-        ->type_name("FOLDER");
-    command->add_option("--title", setup->title, "title of the course")->type_name("TEXT");
-    command
-        ->add_option("--slides", setup->slides, "slides that lessons refer to: a PDF file to copy, or a URL")
-        ->type_name("FILE");
-    command
-        ->add_option(
-            "--page", setup->page,
-            "files of the web version of the program (default: those that were built or installed)")
-        ->type_name("FOLDER");
+    add_value(*command, "FOLDER", setup->folder, "", "folder of lessons, with course.toml for their order")
+        ->required();
+    add_value(*command, "--out", setup->out, "DIR", "folder of the site; an earlier site in it is replaced")
+        ->required();
+    add_value(
+        *command, "--exercises", setup->exercises, "FOLDER",
+        "folder of files of exercises (default: 'exercises' beside the lessons, if it exists)");
+    add_value(*command, "--title", setup->title, "TEXT", "title of the course");
+    add_value(
+        *command, "--slides", setup->slides, "FILE",
+        "slides that lessons refer to: a PDF file to copy, or a URL");
+    add_value(
+        *command, "--page", setup->page, "FOLDER",
+        "files of the web version of the program (default: those that were built or installed)");
     command->footer(
         "Example: jointwise site lessons/catalogue --out public --title 'Spatial kinematics' --slides "
         "slides.pdf");

@@ -177,9 +177,8 @@ fs::path report_folder(const SnapshotOptions& options) {
     std::error_code error;
     fs::create_directories(options.out, error);
     if (error || !fs::is_directory(options.out, error)) {
-        throw CommandError(
-            Exit::bad_input, "jointwise: error: --out '" + options.out + "' cannot be made a folder" +
-                                 (error ? ": " + error.message() : ""));
+        throw bad_input(
+            "--out '" + options.out + "' cannot be made a folder" + (error ? ": " + error.message() : ""));
     }
     return options.out;
 }
@@ -210,9 +209,8 @@ std::size_t bless_deletions(
 
 Exit bless_command(const SnapshotOptions& options, const Streams& streams) {
     if (options.reason.find_first_not_of(" \t\n") == std::string::npos) {
-        throw CommandError(
-            Exit::bad_input,
-            "jointwise: error: --reason is empty; expected why the snapshots may change, for those who read "
+        throw bad_input(
+            "--reason is empty; expected why the snapshots may change, for those who read "
             "it later");
     }
     const SnapshotRules rules = rules_of(options);
@@ -232,10 +230,9 @@ Exit bless_command(const SnapshotOptions& options, const Streams& streams) {
     if (options.only.empty()) { changed += bless_deletions(options, suite, streams); }
     streams.err << count_text(static_cast<int>(changed), "snapshot", "snapshots") << " blessed\n";
     if (changed == 0 && !options.only.empty()) {
-        throw CommandError(
-            Exit::bad_input,
-            "jointwise: error: of " + comma_list(options.only) +
-                " nothing differs in these lessons; 'jointwise snapshot compare' says what does");
+        throw bad_input(
+            "of " + comma_list(options.only) +
+            " nothing differs in these lessons; 'jointwise snapshot compare' says what does");
     }
     return Exit::done;
 }
@@ -244,18 +241,16 @@ using SharedOptions = std::shared_ptr<SnapshotOptions>;
 
 CLI::App* add_verb(CLI::App& command, const char* name, const char* about, const SharedOptions& options) {
     CLI::App* verb = command.add_subcommand(name, about);
-    verb->add_option("LESSONS", options->paths, "lesson files, and folders with lessons")
-        ->required()
-        ->type_name("");
-    verb->add_option(
-            "--golden", options->golden, "folder of the golden snapshots, with rules.toml if there are rules")
+    add_value(*verb, "LESSONS", options->paths, "", "lesson files, and folders with lessons")->required();
+    add_value(
+        *verb, "--golden", options->golden, "DIR",
+        "folder of the golden snapshots, with rules.toml if there are rules")
         ->required()
         ->check(CLI::Validator(
             [](const std::string& folder) {
                 return folder.empty() ? std::string("it is empty; expected a folder") : std::string();
             },
-            ""))
-        ->type_name("DIR");
+            ""));
     return verb;
 }
 
@@ -275,13 +270,13 @@ void add_snapshot(CLI::App& app, const Streams& streams, Run& run) {
     };
 
     CLI::App* record = add_verb(*command, "record", "take the snapshots that do not exist yet", options);
-    record->add_option("--size", options->size, "size in pixels")->type_name("WxH")->capture_default_str();
-    record->add_option("--moments", options->moments, "number of moments of the motion")
+    add_value(*record, "--size", options->size, "WxH", "size in pixels")->capture_default_str();
+    add_value(*record, "--moments", options->moments, "N", "number of moments of the motion")
         ->check(CLI::Range(0, 1000))
-        ->type_name("N")
         ->capture_default_str();
-    record->add_option("--only", options->only, "names of the steps to record, instead of the default steps")
-        ->type_name("NAME");
+    add_value(
+        *record, "--only", options->only, "NAME",
+        "names of the steps to record, instead of the default steps");
     runs(record, record_command);
 
     CLI::App* compare =
@@ -292,16 +287,15 @@ void add_snapshot(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* report = add_verb(
         *command, "report", "compare, and write a page with pictures, JUnit and JSON; status as for compare",
         options);
-    report
-        ->add_option(
-            "--out", options->out, "folder for index.html, junit.xml and report.json; created if needed")
-        ->required()
-        ->type_name("DIR");
+    add_value(
+        *report, "--out", options->out, "DIR",
+        "folder for index.html, junit.xml and report.json; created if needed")
+        ->required();
     runs(report, report_command);
 
     CLI::App* bless = add_verb(*command, "bless", "replace snapshots that differ by new ones", options);
-    bless->add_option("--only", options->only, "names of snapshots")->type_name("NAME");
-    bless->add_option("--reason", options->reason, "reason; it is recorded")->required()->type_name("TEXT");
+    add_value(*bless, "--only", options->only, "NAME", "names of snapshots");
+    add_value(*bless, "--reason", options->reason, "TEXT", "reason; it is recorded")->required();
     runs(bless, bless_command);
 }
 

@@ -8,7 +8,6 @@
 #include "app/commands/options/quantity_option.hpp"
 #include "app/commands/program/commands.hpp"
 #include "app/commands/program/outputs.hpp"
-#include "app/commands/proof_file.hpp"
 #include "app/session/output/csv.hpp"
 #include "app/session/output/json_tables.hpp"
 #include "app/session/view/solution.hpp"
@@ -131,9 +130,7 @@ Exit solve_command(const SolveOptions& options, const Streams& streams) {
     if (sweep.proof) { write_proof(options.proof, *sweep.proof, *sweep.system, lesson); }
     if (options.old_names) { rename_columns(sweep.columns, sweep.columns.size() - plan.quantities.size()); }
     if (options.format == "json") {
-        Json json = json_of(sweep, plan.analysis, lesson);
-        add_done(json, changed.done);
-        streams.out << json_document(json);
+        streams.out << document_of(json_of(sweep, plan.analysis, lesson), changed.done);
     } else {
         write_csv(sweep, streams.out);
     }
@@ -149,26 +146,21 @@ void add_solve(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
         app.add_subcommand("solve", "compute positions, velocities and accelerations over time, as a table");
     auto options = std::make_shared<SolveOptions>();
-    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->experiments);
-    command->add_option("--analysis", options->analysis, "position, velocity or acceleration")
-        ->check(CLI::IsMember(words_of(kAnalyses)))
-        ->type_name("WHAT");
-    command->add_option("--from", options->from, "first time [s]; default: the lesson's")->type_name("T");
-    command->add_option("--to", options->to, "last time [s]; default: the lesson's")->type_name("T");
-    command->add_option("--step", options->step, "interval [s]; default: the lesson's")->type_name("T");
+    add_lesson_options(*command, options->file, options->experiments);
+    add_value(*command, "--analysis", options->analysis, "WHAT", "position, velocity or acceleration")
+        ->check(CLI::IsMember(words_of(kAnalyses)));
+    add_value(*command, "--from", options->from, "T", "first time [s]; default: the lesson's");
+    add_value(*command, "--to", options->to, "T", "last time [s]; default: the lesson's");
+    add_value(*command, "--step", options->step, "T", "interval [s]; default: the lesson's");
     add_format_option(*command, options->format, {"csv", "json"});
     add_quantities_option(*command, options->quantities);
     add_old_names_flag(*command, options->old_names);
-    command->add_option("--proof", options->proof, "file for a proof of each step (docs/proofs.md)")
-        ->type_name("FILE");
+    add_value(*command, "--proof", options->proof, "FILE", "file for a proof of each step (docs/proofs.md)");
     command->footer(
         "Example: jointwise solve lessons/catalogue/loops/four-bar.toml --analysis acceleration --from 0 "
         "--to 1 "
         "--step 0.1");
-    command->callback([options, &streams, &run] {
-        run = [options, &streams] { return solve_command(*options, streams); };
-    });
+    sets_run(*command, run, streams, options, solve_command);
 }
 
 }  // namespace jw

@@ -49,17 +49,11 @@ Exit step(const StepOptions& options, const Streams& streams) {
     const Story story = telling.story();
     const int last = static_cast<int>(story.steps().size()) - 1;
     const int until = options.until < 0 ? last : options.until;
-    if (until > last) {
-        throw CommandError(
-            Exit::bad_input, "jointwise: error: --until " + std::to_string(until) +
-                                 ": the lesson has steps 0 to " + std::to_string(last));
-    }
+    check_step("--until", until, last);
     const Exit exit = story.failure() != nullptr && until == last ? Exit::numerics : Exit::done;
     if (exit == Exit::numerics) { streams.err << not_reached(lesson, *story.failure()).what() << '\n'; }
     if (options.format == "json") {
-        Json json = json_of(story, until);
-        add_done(json, changed.done);
-        streams.out << json_document(json);
+        streams.out << document_of(json_of(story, until), changed.done);
         return exit;
     }
     streams.out << lesson.title << '\n';
@@ -76,15 +70,11 @@ Exit step(const StepOptions& options, const Streams& streams) {
 void add_step(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("step", "show the steps of a lesson, joint by joint");
     auto options = std::make_shared<StepOptions>();
-    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->experiments);
-    command->add_option("--until", options->until, "last step to show")
-        ->check(&fault_of_step)
-        ->type_name("N");
+    add_lesson_options(*command, options->file, options->experiments);
+    add_value(*command, "--until", options->until, "N", "last step to show")->check(&fault_of_step);
     add_format_option(*command, options->format, {"text", "json"});
     command->footer("Example: jointwise step lessons/catalogue/loops/four-bar.toml --until 12");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return step(*options, streams); }; });
+    sets_run(*command, run, streams, options, step);
 }
 
 }  // namespace jw

@@ -38,9 +38,7 @@ Exit try_command(const TryOptions& options, const Streams& streams) {
     session.apply(GoTo{session.story().last_assembled()});
     const std::vector<std::string> done = carry_out_all(session, options.experiments);
     if (options.format == "json") {
-        Json json = json_of(possible_experiments_of(session), lesson);
-        add_done(json, done);
-        streams.out << json_document(json);
+        streams.out << document_of(json_of(possible_experiments_of(session), lesson), done);
     } else {
         write_text(session, done, streams);
     }
@@ -53,12 +51,10 @@ void add_try(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand(
         "try", "list the experiments of a lesson, with their effect on rank and condition");
     auto options = std::make_shared<TryOptions>();
-    command->add_option("FILE", options->file, "lesson file")->required()->type_name("");
-    add_try_option(*command, options->experiments);
+    add_lesson_options(*command, options->file, options->experiments);
     add_format_option(*command, options->format, {"text", "json"});
     command->footer("Example: jointwise try lessons/catalogue/loops/four-bar.toml --try \"take out D p1 x\"");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return try_command(*options, streams); }; });
+    sets_run(*command, run, streams, options, try_command);
 }
 
 }  // namespace jw

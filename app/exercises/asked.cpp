@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "app/exercises/mistakes.hpp"
-#include "app/exercises/units.hpp"
+#include "app/exercises/answers/units.hpp"
+#include "app/exercises/formulas/mistakes.hpp"
 #include "app/session/claims/claim_poses.hpp"
 #include "app/session/claims/formula_claims.hpp"
 #include "app/session/story/story.hpp"

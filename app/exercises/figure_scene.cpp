@@ -22,14 +22,9 @@ bool is_as_given(const Task& task) {
 }  // namespace
 
 bool hands_out_file(const Exercise& exercise) {
-    switch (exercise.kind) {
-        case ExerciseKind::repair:
-        case ExerciseKind::build:
-        case ExerciseKind::experiment: return true;
-        case ExerciseKind::code:
-        case ExerciseKind::order: return false;
-        default: return !exercise.asked.empty() && exercise.formula.empty();
-    }
+    if (is_judged_by_claims(exercise.kind)) { return true; }
+    if (exercise.kind == ExerciseKind::code || exercise.kind == ExerciseKind::order) { return false; }
+    return !exercise.asked.empty() && exercise.formula.empty();
 }
 
 std::optional<FigureScene> figure_scene(const Task& task) {

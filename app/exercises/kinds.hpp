@@ -43,8 +43,23 @@ struct KindOfExercise {
 };
 const KindOfExercise& kind_of(ExerciseKind kind);
 
+/// True if the answer is a quantity in numbers, so that it has a tolerance.
+bool is_measured(ExerciseKind kind);
+/// True if claims of a scene tell whether the answer is right.
+bool is_judged_by_claims(ExerciseKind kind);
+
+/// The judgement of an answer that cannot be judged.
+Judged not_understood(std::string why);
+
+/// How exact an answer in numbers has to be, as a sentence that does not tell the answer: "Four significant
+/// digits in each number are enough.", "It may be off by 0.01 m."; empty if it must be exact or is no number.
+std::string accuracy_text(const Task& task);
+
 /// Numbers as a student would write them: "[1, 2, 3]".
 std::string written(const MatrixX& value, int digits = 9);
+
+/// A row becomes a column where one is expected, and the reverse; not for matrices.
+MatrixX in_shape_of(const MatrixX& right, const MatrixX& given);
 
 /// An entry for people: "2" in a column, "(2, 1)" in any other matrix.
 std::string name_of_entry(const MatrixX& value, Eigen::Index row, Eigen::Index column);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -18,8 +19,8 @@ inline constexpr std::array<std::string_view, 4> kStarterEndings{".py", ".cpp", 
 /// @return empty for another ending
 std::string starter_text(const Task& task, std::string_view ending);
 
-/// Starter in C++, with its own small JSON reader, since C++ has none.
-/// @param inputs  a line for each input of a case
-std::string cpp_starter_text(const std::string& inputs);
+/// Writes a starter and, beside it, the input of the cases. Existing files stay.
+/// @return what was done, or why it was not, for people
+std::string write_starter(const Task& task, const std::filesystem::path& file);
 
 }  // namespace jw

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "app/exercises/mistakes.hpp"
+#include "app/exercises/formulas/mistakes.hpp"
 #include "app/exercises/random.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/text/translatable.hpp"
@@ -23,6 +23,12 @@ constexpr double kTolerancesApart = 10.0;
 constexpr std::size_t kMostChoices = 4;
 
 Message by_author(const std::string& words) { return {"{0}", {words}}; }
+
+/// Adds a mistake that belongs to no formula.
+void add_mistake(Task& task, std::string name, Message title, Message says, MatrixX answer) {
+    task.asked.mistakes.push_back(
+        {std::move(name), {std::move(title)}, std::move(says), "", std::move(answer), {}});
+}
 
 bool is_computed(const Exercise& exercise) { return !exercise.asked.empty(); }
 
@@ -66,13 +72,9 @@ void show_choices(Task& task, Random& random) {
         if (static_cast<int>(k) == exercise.right_choice) {
             task.asked.right = number;
         } else {
-            task.asked.mistakes.push_back(
-                {"choice-" + std::to_string(k + 1),
-                 {by_author(exercise.choices[k].text)},
-                 by_author(exercise.choices[k].why),
-                 "",
-                 number,
-                 {}});
+            add_mistake(
+                task, "choice-" + std::to_string(k + 1), by_author(exercise.choices[k].text),
+                by_author(exercise.choices[k].why), number);
         }
     }
     task.asked.tolerance = 0.0;
@@ -122,23 +124,17 @@ void show_items(Task& task, Random& random) {
     for (std::size_t k = 0; k + 1 < items.size(); ++k) {
         std::vector<int> swapped = order;
         std::swap(swapped[k], swapped[k + 1]);
-        task.asked.mistakes.push_back(
-            {"order-" + std::to_string(k + 1),
-             {{tr_later("two neighbours exchanged"), {}}},
-             {tr_later("Two neighbours are exchanged: \"{0}\" comes before \"{1}\"."),
-              {items[k], items[k + 1]}},
-             "",
-             numbers_in_order(task, swapped),
-             {}});
+        add_mistake(
+            task, "order-" + std::to_string(k + 1), {tr_later("two neighbours exchanged"), {}},
+            {tr_later("Two neighbours are exchanged: \"{0}\" comes before \"{1}\"."),
+             {items[k], items[k + 1]}},
+            numbers_in_order(task, swapped));
     }
     std::ranges::reverse(order);
-    task.asked.mistakes.push_back(
-        {"reversed",
-         {{tr_later("the order reversed"), {}}},
-         {tr_later("This is the right order from its end to its beginning."), {}},
-         "",
-         numbers_in_order(task, order),
-         {}});
+    add_mistake(
+        task, "reversed", {tr_later("the order reversed"), {}},
+        {tr_later("This is the right order from its end to its beginning."), {}},
+        numbers_in_order(task, order));
 }
 
 /// A name in the list of mistakes to look for that is not the name of any; empty if all are known.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/exercises/kinds.hpp"
 #include "app/exercises/random.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 #include "lessons/read/reader.hpp"
@@ -89,10 +90,7 @@ std::vector<SceneEdit> drawn_edits(const Exercise& exercise, Random& random) {
 std::string claims_of(const Exercise& exercise, const std::string& scene) {
     if (!exercise.asked.empty()) { return exercise.asked; }
     if (!exercise.expect.empty()) { return exercise.expect; }
-    const bool judged_by_claims = exercise.kind == ExerciseKind::repair ||
-                                  exercise.kind == ExerciseKind::build ||
-                                  exercise.kind == ExerciseKind::experiment;
-    return judged_by_claims ? claims_in(scene) : std::string();
+    return is_judged_by_claims(exercise.kind) ? claims_in(scene) : std::string();
 }
 
 }  // namespace

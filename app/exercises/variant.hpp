@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/exercises/formula_plan.hpp"
+#include "app/exercises/formulas/formula_plan.hpp"
 #include "lessons/lesson/exercise.hpp"
 #include "lessons/lesson/lesson.hpp"
 

@@ -7,7 +7,6 @@
 #include <imgui.h>
 
 #include "app/host/parts/browser.hpp"
-#include "app/host/tabs/panel_keys.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/characters.hpp"
 #include "app/session/story/timeline.hpp"
@@ -150,8 +149,9 @@ void Host::need_characters_of_lesson() {
     if (state_.has_disk) { say(panels::advice_for(std::u32string(needed.begin(), needed.end()))); }
 }
 
-void Host::need_characters_of_shelf() {
-    if (shelf_.version() == std::exchange(shelf_version_, shelf_.version())) { return; }
+/// Reads again which lessons there are.
+void Host::refresh_shelf() {
+    shelf_.refresh(unsaved_.others());
     for (const CatalogueEntry& entry : shelf_.entries()) {
         fonts_.need(
             panels::characters_in(entry.chapter + entry.heading + entry.title + entry.source + entry.text));
@@ -177,7 +177,10 @@ void Host::resize(int width, int height, float density) {
     // a screen whose density is known may be a phone
     const auto atlas = density > 0.0F ? render::AtlasSize::small : render::AtlasSize::usual;
     if (!fonts_.fit(scale)) { say(fonts_.load(scale, atlas)); }
-    layout_ = window_layout(width, height, density, fonts_.scale());
+    const panels::Box whole{0.0F, 0.0F, static_cast<float>(width), static_cast<float>(height)};
+    layout_ = {
+        panels::layout_in(whole, panels::FrameKind::window, fonts_.scale(), density), width, height, density,
+        whole};
     set_style(ImGui::GetStyle(), fonts_.scale(), state_.dark, layout_.for_fingers);
     if (session_ && hand_.is_own()) { fit_camera(true); }
     rouse();
@@ -195,7 +198,6 @@ void Host::frame(double seconds) {
         feed(io, event);
         if (!act_while_telling(event)) { act_on(event); }
     }
-    need_characters_of_shelf();
     need_characters_of_exercises();
     if (std::exchange(new_text_scale_, false) || fonts_.lack_characters()) {
         resize(layout_.width, layout_.height, layout_.density);
@@ -227,9 +229,8 @@ void Host::act_on(const InputEvent& event) {
     const ImGuiIO& io = ImGui::GetIO();
     // while the user types into a field, letters are not commands
     if (io.WantTextInput) { return; }
-    const Modifiers modifiers{io.KeyCtrl, io.KeyShift};
     if (act_in_exercises(event)) { return; }
-    if (const CommandInfo* info = command_for(event, modifiers)) { carry_out(info->command); }
+    if (const CommandInfo* info = command_for(event, io.KeyCtrl)) { carry_out(info->command); }
 }
 
 void Host::advance(double seconds) {

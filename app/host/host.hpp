@@ -20,7 +20,6 @@
 #include "app/host/tabs/tabs.hpp"
 #include "app/host/ui/scaled_fonts.hpp"
 #include "app/host/ui/ui.hpp"
-#include "app/host/ui/window_layout.hpp"
 
 struct ImGuiContext;
 
@@ -161,7 +160,7 @@ private:
     void draw_step(const LessonUi& ui, const View& view);
     void advance(double seconds);
     void need_characters_of_lesson();
-    void need_characters_of_shelf();
+    void refresh_shelf();
     void need_characters_of_exercises();
 
     void carry_out(Requests requests);
@@ -232,11 +231,14 @@ private:
     DrawingTask task_ = DrawingTask::none;
     bool new_text_scale_ = false;                     ///< load the fonts before the next frame begins
     bool told_of_font_ = false;                       ///< advice on missing characters was given
-    int shelf_version_ = 0;                           ///< of the shelf whose characters are loaded
     std::shared_ptr<const Exercise> known_exercise_;  ///< first exercise whose characters are loaded
     bool was_moving_ = false;
     int settle_ = 2;  ///< frames until ImGui is at rest
     bool close_ = false;
 };
+
+/// State of the interface as JSON: title, step, tab, experiments, camera, and a description for people who
+/// do not see the picture.
+std::string state_text(const Host& host);
 
 }  // namespace jw::host

@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include "app/host/host.hpp"
-#include "app/host/tabs/panel_keys.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/characters.hpp"
 #include "app/session/output/export.hpp"
@@ -270,7 +269,7 @@ void Host::use_next_language() {
         fonts_.need(panels::characters_of_messages());
         if (session_) { need_characters_of_lesson(); }
         desk_.practice().tell_again();
-        if (state_.browser) { shelf_.refresh(unsaved_.others()); }
+        if (state_.browser) { refresh_shelf(); }
         say(tr("Language: {0}", next.name));
     });
 }
@@ -279,7 +278,7 @@ void Host::show_or_leave_browser() {
     if (state_.browser && !session_) { return; }
     state_.playback.pause();
     state_.browser = !state_.browser;
-    if (state_.browser) { shelf_.refresh(unsaved_.others()); }
+    if (state_.browser) { refresh_shelf(); }
     rouse();
 }
 

@@ -7,8 +7,7 @@
 #include "app/host/parts/menu.hpp"
 #include "app/host/parts/pointed.hpp"
 #include "app/host/parts/timeline_bar.hpp"
-#include "app/host/parts/waiting_sheet.hpp"
-#include "app/host/ui/scrolled.hpp"
+#include "app/host/ui/widgets.hpp"
 #include "app/panels/frame/annotations.hpp"
 #include "app/panels/frame/caption.hpp"
 #include "app/panels/parts/tip.hpp"
@@ -22,7 +21,7 @@ void Host::draw_interface() {
     const std::vector<SymbolView> no_symbols;
     const panels::Canvas canvas = panels::Canvas(ImGui::GetBackgroundDrawList(), fonts_.fonts())
                                       .pointed(lit, spots)
-                                      .in(state_.dark ? render::Tone::dark : render::Tone::light)
+                                      .in(state_.tone())
                                       .naming(shows_lesson() ? session_->view().symbols : no_symbols);
     const Ui ui{state_, canvas, requests};
     if (shows_lesson()) {
@@ -88,8 +87,8 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
 }
 
 void Host::draw_tip(const std::vector<std::string>& lines, const panels::Box& beside) const {
-    const panels::Canvas canvas = panels::Canvas(ImGui::GetForegroundDrawList(), fonts_.fonts())
-                                      .in(state_.dark ? render::Tone::dark : render::Tone::light);
+    const panels::Canvas canvas =
+        panels::Canvas(ImGui::GetForegroundDrawList(), fonts_.fonts()).in(state_.tone());
     panels::draw_tip(canvas, {beside, layout_.whole}, lines);
 }
 

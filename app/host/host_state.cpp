@@ -1,6 +1,4 @@
-#include "app/host/host_state.hpp"
-
-#include "app/host/parts/waiting_sheet.hpp"
+#include "app/host/host.hpp"
 #include "app/session/output/describe.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"

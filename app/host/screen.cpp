@@ -44,7 +44,7 @@ struct Drawn {
     std::uint64_t version = 0;
     render::Camera camera;
     render::Rect viewport;
-    bool dark = false;
+    render::Tone tone = render::Tone::light;
 
     bool operator==(const Drawn&) const = default;
 };
@@ -151,18 +151,14 @@ void Screen::draw_scene() {
     if (!host_->shows_lesson()) {
         // the browser overwrites the bodies in the framebuffer
         s.drawn.reset();
-        s.targets->begin_3d(render::toned(
-            render::palette::kPaper, host_->state().dark ? render::Tone::dark : render::Tone::light));
+        s.targets->begin_3d(render::toned(render::palette::kPaper, host_->state().tone()));
         return;
     }
     const Picture& picture = host_->picture();
-    const Drawn now{host_->shown().version(), host_->camera(), host_->layout().scene, host_->state().dark};
+    const Drawn now{host_->shown().version(), host_->camera(), host_->layout().scene, host_->state().tone()};
     if (s.drawn == now) { return; }
-    s.targets->begin_3d(
-        render::toned(render::palette::kPaper, now.dark ? render::Tone::dark : render::Tone::light));
-    s.scene.draw(
-        picture.scene, now.camera, now.viewport, *s.targets,
-        now.dark ? render::Tone::dark : render::Tone::light);
+    s.targets->begin_3d(render::toned(render::palette::kPaper, now.tone));
+    s.scene.draw(picture.scene, now.camera, now.viewport, *s.targets, now.tone);
     s.drawn = now;
 }
 

@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "app/host/frames/frame_draft.hpp"
-#include "app/host/frames/refuse.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/text_width.hpp"
-#include "app/site/lesson_parts.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/read_exercises.hpp"

@@ -152,6 +152,13 @@ SiteCourseRead read_site_course(
     return CourseReader(folder, exercises).read(progress);
 }
 
+std::string lessons_folder_of(const SiteCourse& course) {
+    const fs::path whole = fs::absolute(course.folder).lexically_normal();
+    const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().generic_string();
+    // the folder of exercises is beside it, so the two names must differ
+    return name.empty() || name == kExercisesFolder ? "lessons" : name;
+}
+
 std::vector<int> slide_numbers(const std::string& source) {
     std::vector<int> numbers;
     for (const SlideRange& range : slides_in(source)) {

@@ -55,6 +55,9 @@ SiteCourseRead read_site_course(
     const std::filesystem::path& folder, const std::filesystem::path& exercises,
     const std::function<void(double)>& progress);
 
+/// Name of the folder of lessons below `course` of a site; the folder of exercises is beside it.
+std::string lessons_folder_of(const SiteCourse& course);
+
 /// Numbers of the slides that the source of a lesson or exercise names.
 std::vector<int> slide_numbers(const std::string& source);
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/host/frames/frame_draft.hpp"
-#include "app/host/frames/refuse.hpp"
 #include "app/session/output/json.hpp"
 #include "lessons/files/file_text.hpp"
 #include "render/files/atomic_file.hpp"
@@ -21,7 +20,7 @@ constexpr const char* kDraft = ".unfinished-site";
 constexpr const char* kReplaced = ".replaced-site";
 constexpr const char* kFormat = "jointwise site";
 constexpr int kVersion = 1;
-constexpr std::size_t kMostBytes = 1U << 20U;  // of the manifest
+constexpr std::size_t kMostOfManifest = 1U << 20U;  // bytes
 
 /// True for names that are never touched: hidden ones, such as those of version control.
 bool is_hidden(const std::string& name) { return name.starts_with('.'); }
@@ -40,7 +39,7 @@ std::set<std::string> top_of_site_in(const fs::path& folder) {
     if (!fs::is_regular_file(file, error)) {
         host::refuse(file, "is no file of a site; expected another folder");
     }
-    const Json manifest = Json::parse(read_file_text(file, kMostBytes).text, nullptr, false);
+    const Json manifest = Json::parse(read_file_text(file, kMostOfManifest).text, nullptr, false);
     const bool is_ours = manifest.is_object() && manifest.contains("format") &&
                          manifest["format"] == kFormat && manifest.contains("version") &&
                          manifest["version"].is_number_integer() && manifest.contains("top") &&

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/snapshot/fact_changes.hpp"
+#include "app/snapshot/facts/fact_changes.hpp"
 #include "app/snapshot/taken.hpp"
 #include "lessons/files/snapshot_rules.hpp"
 #include "render/files/image_difference.hpp"

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "app/snapshot/units_of_keys.hpp"
+#include "app/snapshot/facts/facts.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/exercise/scene_difference.hpp"
 #include "lessons/exercise/scene_edits.hpp"
+#include "lessons/format/key.hpp"
 
 namespace jw::snapshot {
 
@@ -22,6 +23,46 @@ constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
 /// The number of the right choice: a number, but "larger" and "smaller" make no sense for it.
 constexpr std::string_view kChoice = "answer";
+
+/// Values of a function of time, in the unit of the function.
+constexpr std::array<std::string_view, 6> kValues{"polynomial", "amplitude", "from",
+                                                  "to",         "values",    "formula"};
+
+/// "radius" of "body.crank.shape.0.rod.radius"
+std::string_view last_key(std::string_view path) { return path.substr(path.find_last_of('.') + 1); }
+
+/// "body" of "body.crank.shape.0.rod.radius"
+std::string_view table_of(std::string_view path) { return path.substr(0, path.find('.')); }
+
+/// "body.crank" of "body.crank.shape.0.rod.radius"; all of a shorter path
+std::string entry_of(const std::string& path) {
+    const std::size_t first = path.find('.');
+    return first == std::string::npos ? path : path.substr(0, path.find('.', first + 1));
+}
+
+/// Unit of a number of a force or torque; empty for those that have none.
+std::string unit_of_load(const std::string& lesson, const std::string& path, std::size_t index) {
+    const std::string unit = table_of(path) == "force" ? "N" : "N m";
+    const std::string_view key = last_key(path);
+    if (std::ranges::find(kValues, key) == kValues.end()) { return {}; }
+    // beside a vector in N, a function is only a factor
+    const bool is_factor = value_in(lesson, entry_of(path) + ".direction").empty();
+    return is_factor ? std::string() : unit_of_coefficient(unit, key == "polynomial" ? index : 0);
+}
+
+/// A difference of two numbers with its unit: "1 mm", "0.2 m", "5 deg", "1 N"; without a unit if it is not
+/// known.
+/// @param lesson  a function of time is a force or a factor of one, and other keys of its table decide which
+/// @param path    of the key, as `difference_of` names it
+/// @param index   of the number in its list, 0 for a single one
+std::string amount_text(
+    const std::string& lesson, const std::string& path, std::size_t index, double amount) {
+    const std::string_view table = table_of(path);
+    std::string unit = unit_of_key(path);
+    if (unit.empty() && (table == "force" || table == "torque")) { unit = unit_of_load(lesson, path, index); }
+    if (unit == "m" && amount < 0.1) { return short_number(1000.0 * amount, 4) + " mm"; }
+    return short_number(amount, 4) + (unit.empty() ? "" : " " + unit);
+}
 
 /// "crank" of "body.crank.shape.0.rod.radius"; empty for a key of the lesson itself.
 std::string subject_of(const std::string& path) {
@@ -54,7 +95,7 @@ std::vector<double> numbers_in(std::string_view text) {
 
 /// "1 mm larger", "x 2 mm smaller, z 1 mm larger"; nothing for values that are not numbers.
 std::optional<std::string> in_numbers(
-    const UnitsOfKeys& units, const std::string& path, const std::string& before, const std::string& now) {
+    const std::string& lesson, const std::string& path, const std::string& before, const std::string& now) {
     const std::vector<double> a = numbers_in(before);
     const std::vector<double> b = numbers_in(now);
     if (a.empty() || a.size() != b.size()) { return std::nullopt; }
@@ -64,7 +105,7 @@ std::optional<std::string> in_numbers(
         const std::string which = a.size() == 1   ? ""
                                   : a.size() == 3 ? std::string(kAxes[k]) + " "
                                                   : "number " + std::to_string(k + 1) + " ";
-        text += (text.empty() ? "" : ", ") + which + units.amount(path, k, std::abs(b[k] - a[k])) +
+        text += (text.empty() ? "" : ", ") + which + amount_text(lesson, path, k, std::abs(b[k] - a[k])) +
                 (b[k] > a[k] ? " larger" : " smaller");
     }
     return text;
@@ -151,9 +192,8 @@ std::string change_text(
     const std::string now = value_in(lesson_now, path);
     const std::string values = both_shown(before, now);
     const std::string what = what_changed(path, lesson_before);
-    const auto difference = last_key(path) == kChoice
-                                ? std::optional<std::string>()
-                                : in_numbers(UnitsOfKeys(lesson_now), path, before, now);
+    const auto difference =
+        last_key(path) == kChoice ? std::optional<std::string>() : in_numbers(lesson_now, path, before, now);
     const std::string place = path.find('.') == std::string::npos ? values : path + ", " + values;
     return difference ? what + ": " + *difference + " (" + place + ")" : what + ": " + values;
 }

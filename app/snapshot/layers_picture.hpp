@@ -20,6 +20,10 @@ struct LayersPicture {
 /// The colour of a thing depends only on its name, not on the other things.
 LayersPicture picture_of(const render::PictureLayers& layers, const Mechanism& mechanism);
 
+/// Name of the thing that a part of the scene belongs to, by the part's id: "crank", "hinge", "hinge s_i";
+/// "ground and paths" for 0.
+std::string name_of_part(int id, const Mechanism& mechanism);
+
 /// "#3fa2c4" of a pixel.
 std::string colour_of(const std::uint8_t* rgb);
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/host/frames/frame_painter.hpp"
-#include "app/snapshot/fact_changes.hpp"
-#include "app/snapshot/facts_file.hpp"
+#include "app/snapshot/facts/fact_changes.hpp"
+#include "app/snapshot/facts/facts_file.hpp"
 #include "app/snapshot/layers_picture.hpp"
 #include "app/snapshot/shots.hpp"
 

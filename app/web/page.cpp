@@ -8,7 +8,6 @@
 
 #include <imgui.h>
 
-#include "app/host/host_state.hpp"
 #include "app/host/lesson/address.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"

@@ -51,7 +51,7 @@ public:
     std::string lesson_source() const;
     /// Shows a file that has just been written, at the step that is shown.
     void follow(const std::filesystem::path& file);
-    /// State of the interface (app/host/host_state.hpp).
+    /// State of the interface (app/host/host.hpp).
     std::string state() const;
     /// Sets the text that Ctrl+V inserts. A page learns what other programs copy only when it is pasted.
     void set_clipboard(const std::string& text);

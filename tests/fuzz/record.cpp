@@ -1,4 +1,4 @@
-#include "app/snapshot/facts_file.hpp"
+#include "app/snapshot/facts/facts_file.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace jw::fuzz {

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "app/host/host.hpp"
-#include "app/host/host_state.hpp"
 #include "app/host/lesson/address.hpp"
 #include "app/web/keys.hpp"
 #include "lessons/files/catalogue.hpp"

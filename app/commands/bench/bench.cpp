@@ -4,15 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/commands/bench/bench_kinematics.hpp"
-#include "app/commands/bench/bench_render.hpp"
+#include "app/commands/bench/bench.hpp"
 #include "app/commands/options/dynamics_options.hpp"
 #include "app/commands/options/format_option.hpp"
 #include "app/commands/options/size_option.hpp"
 #include "app/commands/plot_picture.hpp"
 #include "app/commands/program/commands.hpp"
 #include "app/commands/program/outputs.hpp"
-#include "app/panels/plot/price_panel.hpp"
+#include "app/panels/plot/comparison.hpp"
 #include "app/session/benchmark/prices.hpp"
 #include "app/session/output/csv.hpp"
 #include "app/session/output/json.hpp"
@@ -191,9 +190,7 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
     const BenchPlan plan = plan_of(options);
     const std::vector<std::filesystem::path> files = files_of(options.scenes);
     if (!options.picture.empty() && files.size() != 1) {
-        throw CommandError(
-            Exit::bad_input,
-            "jointwise: error: --picture draws one scene; name one\nhint: jointwise bench --help");
+        throw bad_input("--picture draws one scene; name one\nhint: jointwise bench --help");
     }
     if (!options.picture.empty()) { check_output("--picture", options.picture, read_with(files)); }
     Json scenes = Json::array();
@@ -228,31 +225,24 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
 void add_bench(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("bench", "compare methods by time and error");
     auto options = std::make_shared<BenchOptions>();
-    command
-        ->add_option(
-            "SCENE", options->scenes, "lesson files or names of shipped scenes; default: all shipped scenes")
-        ->type_name("");
+    add_value(
+        *command, "SCENE", options->scenes, "",
+        "lesson files or names of shipped scenes; default: all shipped scenes");
     CLI::Option* method =
-        command
-            ->add_option(
-                "--method", options->methods,
-                "one or several methods; default: explicit-5, explicit-8, implicit-5, implicit-9")
-            ->check(CLI::IsMember(names_of(kMethods)))
-            ->type_name("NAME");
+        add_value(
+            *command, "--method", options->methods, "NAME",
+            "one or several methods; default: explicit-5, explicit-8, implicit-5, implicit-9")
+            ->check(CLI::IsMember(names_of(kMethods)));
     CLI::Option* treatment =
-        command->add_option("--treatment", options->treatment, "treatment of the constraints")
-            ->check(CLI::IsMember(names_of(kTreatments)))
-            ->type_name("NAME");
+        add_value(*command, "--treatment", options->treatment, "NAME", "treatment of the constraints")
+            ->check(CLI::IsMember(names_of(kTreatments)));
     CLI::Option* coordinates =
-        command
-            ->add_option(
-                "--coordinates", options->coordinates,
-                "coordinates of explicit methods: joints or bodies; default: joints where they are faster")
-            ->check(CLI::IsMember(names_of(kFormulations)))
-            ->type_name("NAME");
-    CLI::Option* picture =
-        command->add_option("--picture", options->picture, "work-precision plot as PNG, for one scene")
-            ->type_name("FILE");
+        add_value(
+            *command, "--coordinates", options->coordinates, "NAME",
+            "coordinates of explicit methods: joints or bodies; default: joints where they are faster")
+            ->check(CLI::IsMember(names_of(kFormulations)));
+    CLI::Option* picture = add_value(
+        *command, "--picture", options->picture, "FILE", "work-precision plot as PNG, for one scene");
     CLI::Option* kinematics = command->add_flag(
         "--kinematics", options->kinematics,
         "benchmark the kinematics instead: position, velocity and acceleration of driven lessons in every "
@@ -261,8 +251,7 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
         "--render", options->render,
         "measure the time of each stage of a picture of the motion, beside a plain loop with "
         "stb_image_write");
-    command->add_option("--size", options->size, "size in pixels of the pictures of --render")
-        ->type_name("WxH")
+    add_value(*command, "--size", options->size, "WxH", "size in pixels of the pictures of --render")
         ->capture_default_str()
         ->needs(drawing);
     for (CLI::Option* other : {kinematics, drawing}) {
@@ -271,9 +260,7 @@ void add_bench(CLI::App& app, const Streams& streams, Run& run) {
     kinematics->excludes(drawing);
     add_format_option(*command, options->format, {"table", "csv", "json"});
     command->footer("Example: jointwise bench andrews --method explicit-8 --picture andrews.png");
-    command->callback([options, &streams, &run] {
-        run = [options, &streams] { return bench_command(*options, streams); };
-    });
+    sets_run(*command, run, streams, options, bench_command);
 }
 
 }  // namespace jw

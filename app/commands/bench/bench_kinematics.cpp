@@ -1,4 +1,4 @@
-#include "app/commands/bench/bench_kinematics.hpp"
+#include "app/commands/bench/bench.hpp"
 
 #include <algorithm>
 #include <cmath>

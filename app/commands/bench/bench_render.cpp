@@ -1,4 +1,4 @@
-#include "app/commands/bench/bench_render.hpp"
+#include "app/commands/bench/bench.hpp"
 
 #include <array>
 #include <chrono>

@@ -169,9 +169,8 @@ private:
 void add_check(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("check", "prove the claims ([[expect]]) of lessons");
     auto options = std::make_shared<CheckOptions>();
-    command->add_option("FILE", options->paths, "lesson files, or folders: all lessons below them")
-        ->required()
-        ->type_name("");
+    add_value(*command, "FILE", options->paths, "", "lesson files, or folders: all lessons below them")
+        ->required();
     add_try_option(*command, options->experiments);
     command->add_flag("--quiet", options->style.quiet, "show only claims that fail");
     command->add_flag("--require-claims", options->style.require_claims, "fail if a lesson has no claims");

@@ -11,10 +11,9 @@ void add_completion(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command =
         app.add_subcommand("completion", "write the script that completes command lines in a shell");
     auto shell = std::make_shared<std::string>();
-    command->add_option("SHELL", *shell, "bash, zsh or fish")
+    add_value(*command, "SHELL", *shell, "", "bash, zsh or fish")
         ->required()
-        ->check(CLI::IsMember({"bash", "zsh", "fish"}))
-        ->type_name("");
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
     command->footer(
         "Example: jointwise completion bash > ~/.local/share/bash-completion/completions/jointwise");
     command->callback([&app, shell, &streams, &run] {

@@ -1,15 +1,141 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <sstream>
 
-#include "app/commands/help/explanation_pages.hpp"
 #include "app/commands/options/format_option.hpp"
 #include "app/commands/program/commands.hpp"
+#include "app/session/output/json.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/explanations/explanations.hpp"
 
 namespace jw {
 
 namespace {
+
+using Setting = Explanation::Setting;
+
+constexpr const char* kIntroduction =
+    "# Diagnostics\n\n"
+    "Written by `./dev golden` from `jointwise explain --format markdown`; do not edit. The texts are in\n"
+    "`lessons/explanations`.\n\n"
+    "Every message about a lesson ends with a code that names its cause. `jointwise explain JW301` shows "
+    "the\n"
+    "page about a code, `jointwise explain` all codes. A test reads every example below.\n";
+
+std::string printed(Code code) { return std::string(entry_of(code).printed); }
+std::string title_of(Code code) { return std::string(entry_of(code).title); }
+
+const char* words_for(Setting setting) {
+    switch (setting) {
+        case Setting::whole: return "the whole file";
+        case Setting::head: return "at the beginning of the lesson about a crank and a slider";
+        case Setting::behind: return "behind the lesson about a crank and a slider";
+        case Setting::masses: return "behind the lesson about a crank and a slider that have masses";
+        case Setting::course: return "a course.toml";
+        case Setting::path: break;
+    }
+    return "FILE";
+}
+
+/// The messages for the wrong example; empty if they depend on the files of a machine.
+std::vector<std::string> messages_of(const Explanation& page) {
+    std::vector<std::string> messages;
+    if (page.setting == Setting::path) { return messages; }
+    for (const Diagnostic& diagnostic : read_example(page.setting, page.wrong)) {
+        if (diagnostic.code != page.code) { continue; }
+        messages.push_back(
+            (diagnostic.severity == Severity::error ? "error: " : "warning: ") + diagnostic.message + " [" +
+            printed(page.code) + "]");
+        if (!diagnostic.hint.empty()) { messages.push_back("hint: " + diagnostic.hint); }
+    }
+    return messages;
+}
+
+std::string example_or_nothing(const std::string& example) {
+    return example.empty() ? "(nothing)\n" : example;
+}
+
+std::string indented(const std::string& text) {
+    std::istringstream lines(text);
+    std::string out;
+    for (std::string line; std::getline(lines, line);) { out += "  " + line + '\n'; }
+    return out;
+}
+
+std::string fenced(const std::string& text, const char* language) {
+    return std::string("```") + language + '\n' + text + "```\n";
+}
+
+void write_markdown_page(const Explanation& page, std::ostream& out) {
+    std::string says;
+    for (const std::string& line : messages_of(page)) { says += line + '\n'; }
+    const char* const language = page.setting == Setting::path ? "" : "toml";
+    out << "\n### " << printed(page.code) << ": " << title_of(page.code) << "\n\n"
+        << "**Cause.** " << page.cause << "\n**Cure.** " << page.cure << "\nWrong ("
+        << words_for(page.setting) << "):\n\n"
+        << fenced(example_or_nothing(page.wrong), page.wrong.empty() ? "" : language);
+    if (!says.empty()) { out << '\n' << fenced(says, ""); }
+    out << "\nMended:\n\n" << fenced(page.right, language);
+}
+
+Json json_of_page(const Explanation& page) {
+    return {
+        {"code", printed(page.code)},
+        {"title", title_of(page.code)},
+        {"group", std::string(group_of(page.code))},
+        {"cause", page.cause},
+        {"cure", page.cure},
+        {"setting", words_for(page.setting)},
+        {"wrong", page.wrong},
+        {"says", messages_of(page)},
+        {"mended", page.right}};
+}
+
+/// All codes with their titles.
+void write_list(std::ostream& out) {
+    std::string_view group;
+    for (const Explanation& page : explanations()) {
+        if (group_of(page.code) != group) {
+            out << (group.empty() ? "" : "\n") << group_of(page.code) << '\n';
+        }
+        group = group_of(page.code);
+        out << "  " << printed(page.code) << "  " << title_of(page.code) << '\n';
+    }
+}
+
+/// The page about a code, for a terminal.
+void write_page(const Explanation& page, std::ostream& out) {
+    out << printed(page.code) << ": " << title_of(page.code) << "\n\n"
+        << "Cause:\n"
+        << indented(page.cause) << "\nCure:\n"
+        << indented(page.cure) << "\nWrong (" << words_for(page.setting) << "):\n"
+        << indented(example_or_nothing(page.wrong));
+    for (const std::string& line : messages_of(page)) { out << line << '\n'; }
+    out << "\nMended:\n" << indented(page.right);
+}
+
+/// For all pages, the result is docs/diagnostics.md.
+void write_markdown(const std::vector<Explanation>& pages, std::ostream& out) {
+    out << kIntroduction << "\nMost examples continue this lesson about a crank and a slider:\n\n"
+        << fenced(text_of_example(Setting::behind, ""), "toml")
+        << "\nThose of dynamics continue the same lesson with masses:\n\n"
+        << fenced(text_of_example(Setting::masses, ""), "toml");
+    std::string_view group;
+    for (const Explanation& page : pages) {
+        if (group_of(page.code) != group) { out << "\n## " << group_of(page.code) << '\n'; }
+        group = group_of(page.code);
+        write_markdown_page(page, out);
+    }
+}
+
+/// The keys are described in docs/command-line.md.
+void write_json(const std::vector<Explanation>& pages, std::ostream& out) {
+    Json list = Json::array();
+    for (const Explanation& page : pages) { list.push_back(json_of_page(page)); }
+    const Json json{{"format", "jointwise explain"}, {"version", kJsonVersion}, {"codes", list}};
+    out << json_document(json);
+}
 
 struct ExplainOptions {
     std::string code;  ///< as typed; empty: all
@@ -23,9 +149,9 @@ CommandError no_code(const std::string& typed) {
     std::ranges::transform(meant, meant.begin(), [](char c) { return c == 'j' ? 'J' : c == 'w' ? 'W' : c; });
     if (!meant.starts_with("JW")) { meant = "JW" + meant; }
     const std::string hint = did_you_mean(meant, codes);
-    return CommandError(
-        Exit::bad_input, "jointwise: error: no code " + in_quotes(typed) + "; expected one as JW301\nhint: " +
-                             (hint.empty() ? "'jointwise explain' lists them" : hint));
+    return bad_input(
+        "no code " + in_quotes(typed) + "; expected one as JW301",
+        hint.empty() ? "'jointwise explain' lists them" : hint);
 }
 
 std::vector<Explanation> wanted(const std::string& typed) {
@@ -34,9 +160,9 @@ std::vector<Explanation> wanted(const std::string& typed) {
     const Explanation* page = code ? explanation_of(*code) : nullptr;
     if (page == nullptr && code) {
         const CodeEntry& entry = entry_of(*code);
-        throw CommandError(
-            Exit::bad_input, "jointwise: error: there is no page about " + std::string(entry.printed) + " (" +
-                                 std::string(entry.title) + ") yet");
+        throw bad_input(
+            "there is no page about " + std::string(entry.printed) + " (" + std::string(entry.title) +
+            ") yet");
     }
     if (page == nullptr) { throw no_code(typed); }
     return {*page};
@@ -61,12 +187,10 @@ Exit explain(const ExplainOptions& options, const Streams& streams) {
 void add_explain(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand("explain", "show cause and cure of a diagnostic, by its code");
     auto options = std::make_shared<ExplainOptions>();
-    command->add_option("CODE", options->code, "code as JW301, jw301 or 301; without it, all are listed")
-        ->type_name("");
+    add_value(*command, "CODE", options->code, "", "code as JW301, jw301 or 301; without it, all are listed");
     add_format_option(*command, options->format, {"text", "markdown", "json"});
     command->footer("Example: jointwise explain JW301");
-    command->callback(
-        [options, &streams, &run] { run = [options, &streams] { return explain(*options, streams); }; });
+    sets_run(*command, run, streams, options, explain);
 }
 
 }  // namespace jw

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/program/command.hpp"
+#include "app/commands/program/commands.hpp"
 #include "core/motion/tolerances.hpp"
 #include "lessons/lesson/enum_words.hpp"
 
@@ -36,29 +36,23 @@ void refuse_what_is_not_read(const DynamicsOptions& options, const MethodName& m
 }  // namespace
 
 void add_dynamics_options(CLI::App& command, DynamicsOptions& options) {
-    command
-        .add_option(
-            "--method", options.method,
-            "euler, semi-implicit, rk4, explicit-5, explicit-8, implicit-5, implicit-9")
-        ->check(CLI::IsMember(names_of(kMethods)))
-        ->type_name("NAME");
-    command
-        .add_option(
-            "--treatment", options.treatment,
-            "treatment of the constraints: none, baumgarte, projection, tangent")
-        ->check(CLI::IsMember(names_of(kTreatments)))
-        ->type_name("NAME");
-    command
-        .add_option(
-            "--coordinates", options.coordinates,
-            "joints: coordinates of a tree of joints; bodies: r, p, ω' of every body, block-sparse; rp, "
-            "rp-modified, omega-local, omega-global: the dense equations of the slides; default: joints "
-            "where they are faster")
-        ->check(CLI::IsMember(coordinate_names()))
-        ->type_name("NAME");
-    command.add_option("--tolerance", options.tolerance, "allowed error of a step, for adaptive methods")
-        ->type_name("X");
-    command.add_option("--step", options.step, "step [s], for the other methods")->type_name("H");
+    add_value(
+        command, "--method", options.method, "NAME",
+        "euler, semi-implicit, rk4, explicit-5, explicit-8, implicit-5, implicit-9")
+        ->check(CLI::IsMember(names_of(kMethods)));
+    add_value(
+        command, "--treatment", options.treatment, "NAME",
+        "treatment of the constraints: none, baumgarte, projection, tangent")
+        ->check(CLI::IsMember(names_of(kTreatments)));
+    add_value(
+        command, "--coordinates", options.coordinates, "NAME",
+        "joints: coordinates of a tree of joints; bodies: r, p, ω' of every body, block-sparse; rp, "
+        "rp-modified, omega-local, omega-global: the dense equations of the slides; default: joints "
+        "where they are faster")
+        ->check(CLI::IsMember(coordinate_names()));
+    add_value(
+        command, "--tolerance", options.tolerance, "X", "allowed error of a step, for adaptive methods");
+    add_value(command, "--step", options.step, "H", "step [s], for the other methods");
 }
 
 void apply(const DynamicsOptions& options, SimulationSettings& settings) {

@@ -16,6 +16,11 @@ namespace jw {
 
 void add_try_option(CLI::App& command, std::vector<std::string>& experiments);
 
+/// Adds the argument FILE, and --try.
+void add_lesson_options(
+    CLI::App& command, std::string& file, std::vector<std::string>& experiments,
+    const std::string& about = "lesson file");
+
 /// A lesson after all experiments, and what these did in words.
 struct ChangedLesson {
     Lesson lesson;
@@ -35,5 +40,8 @@ ChangedLesson lesson_of(
 std::string done_text(const std::vector<std::string>& done);
 /// Adds the key "tried" if something was done.
 void add_done(Json& json, const std::vector<std::string>& done);
+
+/// The document with that key.
+std::string document_of(Json json, const std::vector<std::string>& done);
 
 }  // namespace jw

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include "app/commands/program/commands.hpp"
 
 namespace jw {
 
@@ -23,9 +24,8 @@ void add_format_option(
     CLI::App& command, std::string& format, const std::vector<std::string>& words, const std::string& help) {
     format = words.front();
     const auto add = [&](const char* name) {
-        return command.add_option(name, format, help.empty() ? or_list(words) : help)
-            ->check(CLI::IsMember(words))
-            ->type_name("FORMAT");
+        return add_value(command, name, format, "FORMAT", help.empty() ? or_list(words) : help)
+            ->check(CLI::IsMember(words));
     };
     CLI::Option* const option = add("--format");
     // help does not show an empty group

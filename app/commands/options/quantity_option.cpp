@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/commands/program/commands.hpp"
 #include "app/session/wording/quantity_text.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 
@@ -25,10 +26,9 @@ CommandError unknown(const std::string& option, const std::string& name, const M
     const std::string expected = of_owner.empty() ? "NAME.WHAT with NAME one of " + comma_list(owners)
                                                   : "one of " + comma_list(of_owner);
     const std::string near = did_you_mean(name, names);
-    return CommandError(
-        Exit::bad_input, "jointwise: error: " + option + ": no quantity " + in_quotes(name) + "; expected " +
-                             expected +
-                             "\nhint: " + (near.empty() ? "docs/quantities.md has all names" : near));
+    return bad_input(
+        option + ": no quantity " + in_quotes(name) + "; expected " + expected,
+        near.empty() ? "docs/quantities.md has all names" : near);
 }
 
 }  // namespace
@@ -41,10 +41,10 @@ std::vector<NamedQuantity> quantities_named(
         const std::optional<ReadName> read = read_name(name, mechanism);
         if (!read) { throw unknown(option, name, mechanism); }
         if (read->wants_point) {
-            throw CommandError(
-                Exit::bad_input, "jointwise: error: " + option + ": " + in_quotes(name) +
-                                     " leaves its point open; expected it in the body's frame, in m, like " +
-                                     std::string(owner_in(name)) + ".point[0.5 0 0].x");
+            throw bad_input(
+                option + ": " + in_quotes(name) +
+                " leaves its point open; expected it in the body's frame, in m, like " +
+                std::string(owner_in(name)) + ".point[0.5 0 0].x");
         }
         if (!read->name_of_today.empty()) {
             streams.err << "jointwise: note: " << in_quotes(name) << " is now called "
@@ -56,12 +56,11 @@ std::vector<NamedQuantity> quantities_named(
 }
 
 void add_quantities_option(CLI::App& command, std::vector<std::string>& names) {
-    command
-        .add_option(
-            "--quantities", names, "more columns, by name, separated by commas: hinge.force.x,energy.sum")
+    add_value(
+        command, "--quantities", names, "A,B",
+        "more columns, by name, separated by commas: hinge.force.x,energy.sum")
         ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("A,B");
+        ->allow_extra_args(false);
 }
 
 void add_old_names_flag(CLI::App& command, bool& old_names) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/commands/options/experiment_option.hpp"
+#include "app/commands/program/commands.hpp"
 #include "app/commands/program/outputs.hpp"
 #include "app/film/film_steps.hpp"
 
@@ -69,9 +70,7 @@ CheckedRender checked(const RenderOptions& options) {
     CheckedRender result;
     result.size = size_option_either_way(
         options.size, options.no_panel ? kSmallestPicture : kSmallestFrame, kLargestFrame);
-    if (!std::isfinite(options.fps)) {
-        throw CommandError(Exit::bad_input, "jointwise: error: --fps is not finite; expected 0.1 to 240");
-    }
+    if (!std::isfinite(options.fps)) { throw bad_input("--fps is not finite; expected 0.1 to 240"); }
     const std::string problem = film::problem_of_look(result.size.width, result.size.height, options.look());
     if (!problem.empty()) { throw wrong(problem); }
     if (!options.camera.empty()) { result.camera = direction_of(options.camera); }
@@ -92,43 +91,38 @@ CheckedRender checked(const RenderOptions& options) {
 }
 
 void add_render_options(CLI::App& command, RenderOptions& options) {
-    command.add_option("FILE", options.file, "lesson file")->required()->type_name("");
-    add_try_option(command, options.experiments);
-    command
-        .add_option(
-            "--out", options.out,
-            "a film (.gif, .apng; .mp4, .webm with ffmpeg), a page (.html), or a folder for pictures, "
-            "created if needed")
-        ->required()
-        ->type_name("PATH");
-    command.add_option("--size", options.size, "size in pixels")->type_name("WxH")->capture_default_str();
-    command.add_option("--fps", options.fps, "pictures per second of motion")
+    add_lesson_options(command, options.file, options.experiments);
+    add_value(
+        command, "--out", options.out, "PATH",
+        "a film (.gif, .apng; .mp4, .webm with ffmpeg), a page (.html), or a folder for pictures, "
+        "created if needed")
+        ->required();
+    add_value(command, "--size", options.size, "WxH", "size in pixels")->capture_default_str();
+    add_value(command, "--fps", options.fps, "X", "pictures per second of motion")
         ->check(CLI::Range(0.1, film::kMostFps))
-        ->type_name("X")
         ->capture_default_str();
-    command.add_option("--frames", options.frames, "draw only pictures A to B; their numbers stay the same")
-        ->type_name("A:B");
+    add_value(
+        command, "--frames", options.frames, "A:B", "draw only pictures A to B; their numbers stay the same");
     command.add_flag("--motion-only", options.motion_only, "draw only the motion");
-    command.add_option("--from", options.from, "begin at a step (from 1), a joint or driver, or t=TIME")
-        ->type_name("STEP");
-    command.add_option("--to", options.to, "end after this step")->type_name("STEP");
+    add_value(
+        command, "--from", options.from, "STEP", "begin at a step (from 1), a joint or driver, or t=TIME");
+    add_value(command, "--to", options.to, "STEP", "end after this step");
     command.add_flag(
         "--no-tween", options.no_tween, "let bodies jump where an iteration or a joint moves them");
     command.add_flag("--loop", options.loop, "repeat a .gif or .apng without end");
     command.add_flag("--dark", options.dark, "light text on a dark background");
-    command.add_option("--text", options.text, "size of text; 1 is normal")
+    add_value(command, "--text", options.text, "X", "size of text; 1 is normal")
         ->check(CLI::Range(0.75, 3.0))
-        ->type_name("X")
         ->capture_default_str();
-    command.add_option("--camera", options.camera, "look from this direction instead of that of the lesson")
-        ->type_name("X,Y,Z");
+    add_value(
+        command, "--camera", options.camera, "X,Y,Z",
+        "look from this direction instead of that of the lesson");
     command.add_flag("--no-panel", options.no_panel, "draw only the mechanism and its names");
     command.add_flag("--transparent", options.transparent, "transparent background; with --no-panel");
-    command.add_option("--jobs", options.jobs, "number of processes that draw; default: one per core")
-        ->check(CLI::Range(1, kMostJobs))
-        ->type_name("N");
-    command.add_option("--shard", options.shard, "draw only the I-th of N parts, and leave it for --resume")
-        ->type_name("I/N");
+    add_value(command, "--jobs", options.jobs, "N", "number of processes that draw; default: one per core")
+        ->check(CLI::Range(1, kMostJobs));
+    add_value(
+        command, "--shard", options.shard, "I/N", "draw only the I-th of N parts, and leave it for --resume");
     command.add_flag(
         "--resume", options.resume, "continue with the pictures of an interrupted run or of --shard");
 }

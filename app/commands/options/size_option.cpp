@@ -25,10 +25,9 @@ std::optional<PixelSize> read_size(const std::string& text) {
 
 [[noreturn]] void refuse_size(
     const std::string& text, PixelSize smallest, PixelSize largest, const std::string& or_else) {
-    throw CommandError(
-        Exit::bad_input, "jointwise: error: --size '" + text + "'; expected WIDTHxHEIGHT in pixels from " +
-                             text_of(smallest) + " to " + text_of(largest) + or_else +
-                             ", for example 1920x1080");
+    throw bad_input(
+        "--size '" + text + "'; expected WIDTHxHEIGHT in pixels from " + text_of(smallest) + " to " +
+        text_of(largest) + or_else + ", for example 1920x1080");
 }
 
 PixelSize turned(PixelSize size) { return {size.height, size.width}; }

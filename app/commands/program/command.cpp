@@ -7,13 +7,13 @@
 
 namespace jw {
 
-CommandError bad_input(const std::string& message) {
-    return CommandError(Exit::bad_input, "jointwise: error: " + message);
+CommandError bad_input(const std::string& message, const std::string& hint) {
+    return CommandError(
+        Exit::bad_input, "jointwise: error: " + message + (hint.empty() ? "" : "\nhint: " + hint));
 }
 
 CommandError bad_option(const std::string& command, const std::string& message) {
-    return CommandError(
-        Exit::bad_input, "jointwise: error: " + message + "\nhint: jointwise " + command + " --help");
+    return bad_input(message, "jointwise " + command + " --help");
 }
 
 Lesson lesson_of(const std::filesystem::path& path, const Streams& streams) {
@@ -32,6 +32,12 @@ Lesson lesson_of(const std::filesystem::path& path, const Streams& streams) {
 std::string fault_of_step(const std::string& text) {
     if (!text.starts_with('-')) { return {}; }  // the conversion reports what is not a number at all
     return text + " is below 0; expected a step, counted from 0";
+}
+
+void check_step(const std::string& option, int step, int last) {
+    if (step <= last) { return; }
+    throw bad_input(
+        option + " " + std::to_string(step) + ": the lesson has steps 0 to " + std::to_string(last));
 }
 
 ProgressBar::ProgressBar(const Streams& streams, std::string what)

@@ -43,8 +43,8 @@ private:
     std::vector<Diagnostic> diagnostics_;
 };
 
-/// Error in the input of a command.
-CommandError bad_input(const std::string& message);
+/// Error in the input of a command. @param hint  may be empty
+CommandError bad_input(const std::string& message, const std::string& hint = {});
 /// Error in an option of a command, with a hint at its help.
 CommandError bad_option(const std::string& command, const std::string& message);
 
@@ -66,6 +66,9 @@ Lesson lesson_of(const std::filesystem::path& path, const Streams& streams);
 
 /// Validator for CLI11's `check`: says what is wrong with a whole number below 0; empty if nothing is.
 std::string fault_of_step(const std::string& text);
+
+/// Refuses a step behind the last one of a lesson. @throws CommandError (bad_input)
+void check_step(const std::string& option, int step, int last);
 
 /// A progress bar on a terminal, nothing elsewhere; it disappears when it is destroyed.
 class ProgressBar {

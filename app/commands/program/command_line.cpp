@@ -8,8 +8,7 @@
 #include <new>
 
 #include "app/commands/help/usage.hpp"
-#include "app/commands/options/language_option.hpp"
-#include "app/commands/options/surface_option.hpp"
+#include "app/commands/options/program_options.hpp"
 #include "app/session/view/inspection.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 
@@ -86,9 +85,8 @@ int run_commands(
                (given.empty() ? "" : command.get_name() + " ") + "--help\n";
     });
     std::string language_tag;
-    add_language_option(app, language_tag);
     std::string surface_name;
-    add_surface_option(app, surface_name);
+    add_program_options(app, language_tag, surface_name);
     Run run;
     for (const AddCommand& add : commands) { add(app, streams, run); }
     if (const std::string complaint = unknown_command(app, arguments); !complaint.empty()) {

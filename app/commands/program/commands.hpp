@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <string>
 
 #include "app/commands/program/command.hpp"
 #include "app/commands/program/surface.hpp"
@@ -14,6 +16,22 @@ class App;
 namespace jw {
 
 using Run = std::function<Exit()>;
+
+/// Adds an option with a value, or an argument. @param type  what the help shows for the value
+template <class Command, class Value>
+auto* add_value(
+    Command& command, const std::string& name, Value& value, const std::string& type,
+    const std::string& help) {
+    return command.add_option(name, value, help)->type_name(type);
+}
+
+/// Makes a command carry out `what` with its options.
+template <class Command, class Options>
+void sets_run(
+    Command& command, Run& run, const Streams& streams, const std::shared_ptr<Options>& options,
+    Exit (*what)(const Options&, const Streams&)) {
+    command.callback([=, &run, &streams] { run = [=, &streams] { return what(*options, streams); }; });
+}
 
 void add_open(CLI::App& app, const Streams& streams, Run& run);
 void add_list(CLI::App& app, const Streams& streams, Run& run);

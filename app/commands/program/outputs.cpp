@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include "app/commands/program/command.hpp"
+#include "app/host/frames/frame_draft.hpp"
+#include "app/session/output/json_proof.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "render/files/atomic_file.hpp"
 #include "render/fonts/fonts.hpp"
@@ -18,9 +20,9 @@ void check_output(const std::string& option, const fs::path& output, const std::
     if (!fs::exists(output, error)) { return; }
     const auto refuse = [&](const fs::path& input, const std::string& what) {
         if (!fs::equivalent(output, input, error) || error) { return; }
-        throw CommandError(
-            Exit::bad_input, "jointwise: error: " + option + ' ' + in_quotes(output.string()) + " is " +
-                                 what + ", and would be overwritten; expected another file");
+        throw bad_input(
+            option + ' ' + in_quotes(output.string()) + " is " + what +
+            ", and would be overwritten; expected another file");
     };
     for (const fs::path& input : inputs) { refuse(input, "a file that is read here"); }
     for (const render::FontSource& font : render::find_fonts()) { refuse(font.path, "a font"); }
@@ -36,6 +38,14 @@ bool is_own_output(const fs::path& path) {
         }
     }
     return false;
+}
+
+void write_proof(
+    const std::filesystem::path& file, const ProofRecord& proof, const System& system, const Lesson& lesson) {
+    std::string text = json_document(json_of(proof, system, lesson), -1);
+    text.resize(text.rfind('}'));
+    const std::string hash = host::sha256_of(render::bytes_of(text));
+    render::write_file_atomically(file, text + ",\"sha256\":\"" + hash + "\"}\n");
 }
 
 }  // namespace jw

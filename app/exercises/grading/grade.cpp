@@ -26,13 +26,6 @@ constexpr std::string_view kProgramEnding = "program";
 /// Shares are rounded to this, so that 2/3 of 3 points are 2.
 constexpr double kFinest = 1e-6;
 
-Judged not_judged(std::string why) {
-    Judged judged;
-    judged.understood = false;
-    judged.feedback.push_back(std::move(why));
-    return judged;
-}
-
 /// Judgement of a program, and whether this machine could run it.
 struct ProgramVerdict {
     Judged judged;
@@ -41,7 +34,7 @@ struct ProgramVerdict {
 
 ProgramVerdict not_run(const exercises::ProgramResult::Outcome outcome, const std::string& why) {
     using Outcome = exercises::ProgramResult::Outcome;
-    return {not_judged(why), outcome == Outcome::no_sandbox || outcome == Outcome::no_tool};
+    return {not_understood(why), outcome == Outcome::no_sandbox || outcome == Outcome::no_tool};
 }
 
 /// Beginning of the output of a program that gave no answers: it is often a number that the program prints
@@ -68,7 +61,7 @@ ProgramVerdict judge_program(
         return not_run(result.outcome, result.message);
     }
     if (std::string fault = program_fault(result.run, limits); !fault.empty()) {
-        return {not_judged(std::move(fault))};
+        return {not_understood(std::move(fault))};
     }
     ProgramVerdict verdict{kind_of(task.exercise().kind).judge(task, {result.run.out, {}})};
     if (!verdict.judged.understood) { verdict.judged.feedback.push_back(beginning_of(result.run.out)); }
@@ -83,7 +76,7 @@ void grade_program(const Task& task, const fs::path& folder, ExerciseGrade& grad
         grade.judged = std::move(verdict.judged);
         grade.not_run = verdict.not_run;
     } else if (grade.handed_in) {
-        grade.judged = not_judged(found.reason);
+        grade.judged = not_understood(found.reason);
     }
 }
 
@@ -92,7 +85,7 @@ void grade_file(const Task& task, const fs::path& path, ExerciseGrade& grade) {
     if (file.absent) { return; }
     grade.handed_in = true;
     grade.judged = file.problem.empty() ? kind_of(task.exercise().kind).judge(task, {file.text, {}})
-                                        : not_judged(file.problem);
+                                        : not_understood(file.problem);
 }
 
 void grade_answer(const Task& task, const HandedIn& handed, ExerciseGrade& grade) {
@@ -175,7 +168,7 @@ Judged judge_program_file(const Task& task, const fs::path& file, const std::sto
     if (found.outcome == exercises::ProgramSearch::Outcome::found) {
         return judge_program(task, found.program, stop).judged;
     }
-    return not_judged(
+    return not_understood(
         found.reason.empty() ? tr("There is no file '{0}'; expected a program.", file.string())
                              : found.reason);
 }
@@ -247,7 +240,7 @@ ExerciseGrade grade_exercise(
     if (task.problem.empty()) {
         grade_task(task, submission, grade);
     } else {
-        grade.judged = not_judged(tr("The exercise cannot be set for this student: {0}.", task.problem));
+        grade.judged = not_understood(tr("The exercise cannot be set for this student: {0}.", task.problem));
     }
     grade.earned = std::round(grade.judged.share * grade.points / kFinest) * kFinest;
     return grade;

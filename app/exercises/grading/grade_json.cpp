@@ -15,38 +15,33 @@ namespace {
 constexpr std::size_t kMostFiles = 2000;
 constexpr std::size_t kLargestFile = 2U << 20U;
 
+/// Calls `visit` with the key of each member, and the member.
+template <class Exercise, class Visit>
+void for_each_member(Exercise& e, const Visit& visit) {
+    visit("name", e.name);
+    visit("title", e.title);
+    visit("points", e.points);
+    visit("earned", e.earned);
+    visit("handed_in", e.handed_in);
+    visit("not_run", e.not_run);
+    visit("understood", e.judged.understood);
+    visit("right", e.judged.right);
+    visit("share", e.judged.share);
+    visit("mistake", e.judged.mistake);
+    visit("mistake_title", e.judged.title);
+    visit("slide", e.judged.slide);
+    visit("feedback", e.judged.feedback);
+}
+
 Json json_of_exercise(const ExerciseGrade& e) {
-    return {
-        {"name", e.name},
-        {"title", e.title},
-        {"points", e.points},
-        {"earned", e.earned},
-        {"handed_in", e.handed_in},
-        {"not_run", e.not_run},
-        {"understood", e.judged.understood},
-        {"right", e.judged.right},
-        {"share", e.judged.share},
-        {"mistake", e.judged.mistake},
-        {"mistake_title", e.judged.title},
-        {"slide", e.judged.slide},
-        {"feedback", e.judged.feedback}};
+    Json json;
+    for_each_member(e, [&](const char* key, const auto& member) { json[key] = member; });
+    return json;
 }
 
 ExerciseGrade exercise_in(const Json& json) {
     ExerciseGrade e;
-    e.name = json.at("name");
-    e.title = json.at("title");
-    e.points = json.at("points");
-    e.earned = json.at("earned");
-    e.handed_in = json.at("handed_in");
-    e.not_run = json.at("not_run");
-    e.judged.understood = json.at("understood");
-    e.judged.right = json.at("right");
-    e.judged.share = json.at("share");
-    e.judged.mistake = json.at("mistake");
-    e.judged.title = json.at("mistake_title");
-    e.judged.slide = json.at("slide");
-    e.judged.feedback = json.at("feedback").get<std::vector<std::string>>();
+    for_each_member(e, [&](const char* key, auto& member) { json.at(key).get_to(member); });
     return e;
 }
 

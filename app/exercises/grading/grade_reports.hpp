@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/exercises/grading/answering_lessons.hpp"
 #include "app/exercises/grading/grade.hpp"
+#include "app/exercises/slide_lessons.hpp"
+#include "lessons/lesson/exercise.hpp"
 
 /// Grades for people and for other programs.
 namespace jw {
@@ -20,6 +21,22 @@ std::string grades_junit(const std::vector<Grade>& grades);
 std::string gradescope_json(const Grade& grade);
 /// All grades in one list.
 std::string grades_json(const std::vector<Grade>& grades);
+
+/// Lessons that answer the mistakes of a class, within the page about it.
+class AnsweringLessons {
+public:
+    /// Both must outlive it.
+    AnsweringLessons(const std::vector<SlideLesson>& lessons, const std::vector<Exercise>& exercises)
+        : lessons_(&lessons), exercises_(&exercises) {}
+
+    /// The lesson of the slide that a mistake names, else the lesson that its exercise belongs to, else the
+    /// lesson of the exercise's source; nullptr if there is none.
+    const SlideLesson* find(const std::string& exercise, const std::string& slide) const;
+
+private:
+    const std::vector<SlideLesson>* lessons_;
+    const std::vector<Exercise>* exercises_;
+};
 
 /// A page about the class: points, how often each mistake was made in each exercise, and the lessons that
 /// answer them.

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/exercises/accuracy.hpp"
 #include "app/exercises/grading/sheet.hpp"
 #include "app/session/encoding/base64.hpp"
 #include "app/session/encoding/html_words.hpp"

@@ -1,6 +1,5 @@
 #include "app/exercises/grading/sheet.hpp"
 
-#include "app/exercises/accuracy.hpp"
 #include "app/exercises/figure_scene.hpp"
 #include "app/exercises/value_latex.hpp"
 #include "app/session/encoding/html_words.hpp"

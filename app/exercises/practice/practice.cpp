@@ -14,22 +14,11 @@ namespace jw {
 namespace {
 
 AnswerVerdict could_not_judge(const std::string& why) {
-    AnswerVerdict verdict;
-    verdict.judged.understood = false;
-    verdict.judged.feedback.push_back(tr("This could not be judged: {0}", why));
-    return verdict;
+    return {not_understood(tr("This could not be judged: {0}", why)), {}, {}};
 }
 
 /// Kinds whose answers are judged at once; others simulate, or run programs.
-bool is_judged_at_once(ExerciseKind kind) {
-    switch (kind) {
-        case ExerciseKind::repair:
-        case ExerciseKind::build:
-        case ExerciseKind::experiment:
-        case ExerciseKind::code: return false;
-        default: return true;
-    }
-}
+bool is_judged_at_once(ExerciseKind kind) { return !is_judged_by_claims(kind) && kind != ExerciseKind::code; }
 
 }  // namespace
 

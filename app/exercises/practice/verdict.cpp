@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/exercises/given_value.hpp"
+#include "app/exercises/answers/given_value.hpp"
 #include "app/exercises/value_latex.hpp"
 #include "app/session/wording/numbers.hpp"
 
@@ -10,21 +10,14 @@ namespace jw {
 
 namespace {
 
-bool is_value(ExerciseKind kind) {
-    return kind == ExerciseKind::number || kind == ExerciseKind::vector || kind == ExerciseKind::matrix ||
-           kind == ExerciseKind::pose;
-}
-
 /// The answer as a matrix of the expected shape; empty if it has another shape.
 MatrixX understood_value(const Task& task, const std::string& text) {
     const Asked& asked = task.asked;
     const GivenValue read = read_given_value(text, asked.unit);
     if (!read.problem.empty()) { return {}; }
-    const bool same = read.value.rows() == asked.right.rows() && read.value.cols() == asked.right.cols();
-    if (same) { return read.value; }
-    const bool turned = read.value.rows() == asked.right.cols() && read.value.cols() == asked.right.rows();
-    const bool vector = std::min(read.value.rows(), read.value.cols()) == 1;
-    return turned && vector ? MatrixX(read.value.transpose()) : MatrixX();
+    const MatrixX given = in_shape_of(asked.right, read.value);
+    const bool fits = given.rows() == asked.right.rows() && given.cols() == asked.right.cols();
+    return fits ? given : MatrixX();
 }
 
 /// p or −p, whichever is nearer to the given value.
@@ -53,7 +46,7 @@ std::vector<std::vector<bool>> differing(const Asked& asked, const MatrixX& give
 
 AnswerVerdict verdict_of(const Task& task, const Handed& handed, Judged judged) {
     AnswerVerdict verdict{std::move(judged), {}, {}};
-    if (!is_value(task.exercise().kind) || !verdict.judged.understood) { return verdict; }
+    if (!is_measured(task.exercise().kind) || !verdict.judged.understood) { return verdict; }
     verdict.given = understood_value(task, handed.text);
     const bool can_differ = verdict.given.size() > 1 && !verdict.judged.right;
     if (can_differ) { verdict.wrong = differing(task.asked, verdict.given); }

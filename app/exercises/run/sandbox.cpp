@@ -16,7 +16,6 @@
 
 #include "app/exercises/run/handles.hpp"
 #include "app/exercises/run/safe_text.hpp"
-#include "app/exercises/run/sandbox_arguments.hpp"
 #include "app/exercises/run/sandbox_child.hpp"
 #include "app/exercises/run/sandbox_usage.hpp"
 #include "app/exercises/run/system_calls.hpp"

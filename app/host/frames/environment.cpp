@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdio>
-#include <set>
 #include <utility>
 
 #include "render/fonts/font_face.hpp"
@@ -59,15 +58,14 @@ Environment environment(const std::string& renderer, Environment fonts) {
 }
 
 std::string environment_change(const Environment& before, const Environment& now) {
-    std::set<std::string> names;
-    for (const auto& [name, what] : before) { names.insert(name); }
-    for (const auto& [name, what] : now) { names.insert(name); }
+    Environment all = before;
+    all.insert(now.begin(), now.end());
     const auto value = [](const Environment& in, const std::string& name) {
         const auto found = in.find(name);
         return found == in.end() ? missing(name) : found->second;
     };
     std::string text;
-    for (const std::string& name : names) {
+    for (const auto& [name, what] : all) {
         const std::string then = value(before, name);
         const std::string here = value(now, name);
         if (then == here) { continue; }

@@ -11,8 +11,6 @@
 #include <thread>
 #include <utility>
 
-#include "app/host/frames/refuse.hpp"
-
 namespace jw::host {
 
 namespace {

@@ -1,9 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 namespace jw::host {
+
+/// @throws std::runtime_error "'PATH' WHY"
+[[noreturn]] inline void refuse(const std::filesystem::path& path, const std::string& why) {
+    throw std::runtime_error("'" + path.string() + "' " + why);
+}
 
 /// Lock on a folder that several processes write into, released when this is destroyed or the process ends.
 class FolderLock {

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/host/frames/refuse.hpp"
 #include "render/files/atomic_file.hpp"
 #include "render/files/png_chunks.hpp"
 

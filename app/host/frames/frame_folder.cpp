@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "app/host/frames/refuse.hpp"
 #include "app/session/output/json.hpp"
 #include "render/files/atomic_file.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
@@ -27,10 +28,15 @@ constexpr double kLeastDistance = 1e-12;
 constexpr double kWidestView = 3.1;  // [rad]
 
 constexpr const char* kTry = "try";
-constexpr const char* kJoint = "joint";
-constexpr const char* kTab = "tab";
-constexpr const char* kExercise = "exercise";
 constexpr const char* kCamera = "camera";
+/// Parts that are a text each.
+struct TextKey {
+    std::string_view key;
+    std::string Address::*text;
+};
+constexpr std::array kTexts{
+    TextKey{"joint", &Address::joint}, TextKey{"tab", &Address::tab},
+    TextKey{"exercise", &Address::exercise}};
 
 /// A value of application/x-www-form-urlencoded.
 std::string form_encoded(std::string_view text) {
@@ -146,12 +152,11 @@ private:
                 fail(begin, "one experiment too many; expected at most " + std::to_string(kMostExperiments));
             }
             address_.experiments.push_back(value);
-        } else if (key == kJoint) {
-            read_once(address_.joint, begin, key, value);
-        } else if (key == kTab) {
-            read_once(address_.tab, begin, key, value);
-        } else if (key == kExercise) {
-            read_once(address_.exercise, begin, key, value);
+        } else if (const auto* const part = std::ranges::find(kTexts, key, &TextKey::key);
+                   part != kTexts.end()) {
+            std::string& text = address_.*part->text;
+            if (!text.empty()) { fail(begin, "a second " + key + "; expected one"); }
+            text = value;
         } else if (key == kCamera) {
             if (address_.camera) { fail(begin, "a second camera; expected one"); }
             try {
@@ -160,15 +165,8 @@ private:
                 fail(begin, "camera " + in_quotes(value) + ": " + problem.what());
             }
         } else {
-            static const std::vector<std::string> keys{kTry, kJoint, kTab, kExercise, kCamera};
-            fail(begin, "no part " + in_quotes(key) + "; expected one of " + comma_list(keys));
+            fail(begin, "no part " + in_quotes(key) + "; expected one of try, joint, tab, exercise, camera");
         }
-    }
-
-    void read_once(
-        std::string& value, std::size_t at, const std::string& key, const std::string& read) const {
-        if (!value.empty()) { fail(at, "a second " + key + "; expected one"); }
-        value = read;
     }
 
     /// Text between two bytes, with each %XX replaced by the byte that it stands for.
@@ -180,14 +178,14 @@ private:
                 out += form && text_[k] == '+' ? ' ' : text_[k];
                 continue;
             }
-            const int high = k + 2 < end ? hexadecimal(text_[k + 1]) : -1;
-            const int low = k + 2 < end ? hexadecimal(text_[k + 2]) : -1;
-            if (high < 0 || low < 0) {
+            unsigned byte = 0;
+            const char* const digits = text_.data() + k + 1;
+            if (k + 2 >= end || std::from_chars(digits, digits + 2, byte, 16).ptr != digits + 2) {
                 fail(
                     k, in_quotes(text_.substr(k, std::min<std::size_t>(3, end - k))) +
                            " is no character; expected % and two hexadecimal digits, and %25 for a %");
             }
-            out += static_cast<char>(16 * high + low);
+            out += static_cast<char>(byte);
             k += 2;
         }
         for (std::size_t k = 0; k < out.size();) {
@@ -196,13 +194,6 @@ private:
             k += length;
         }
         return out;
-    }
-
-    static int hexadecimal(char c) {
-        if (c >= '0' && c <= '9') { return c - '0'; }
-        if (c >= 'A' && c <= 'F') { return c - 'A' + 10; }
-        if (c >= 'a' && c <= 'f') { return c - 'a' + 10; }
-        return -1;
     }
 
     std::string_view text_;
@@ -232,15 +223,13 @@ std::string fragment_of(const Address& address) {
         text += '/' + percent_encoded(address.at, "-._~=");
     }
     char before = '?';
-    const auto add = [&](const char* key, const std::string& value) {
+    const auto add = [&](std::string_view key, const std::string& value) {
         if (value.empty()) { return; }
         text += before + std::string(key) + '=' + form_encoded(value);
         before = '&';
     };
     for (const std::string& experiment : address.experiments) { add(kTry, experiment); }
-    add(kJoint, address.joint);
-    add(kTab, address.tab);
-    add(kExercise, address.exercise);
+    for (const auto& [key, part] : kTexts) { add(key, address.*part); }
     if (!address.camera) { return text; }
     if (!can_be_told(*address.camera)) { throw std::invalid_argument("a camera that sees nothing"); }
     add(kCamera, camera_text(*address.camera));

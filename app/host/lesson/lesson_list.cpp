@@ -10,7 +10,6 @@ LessonList::LessonList(std::filesystem::path folder, std::filesystem::path recen
     : folder_(std::move(folder)), recent_(std::move(recent_file)) {}
 
 void LessonList::refresh(const std::vector<std::filesystem::path>& unsaved) {
-    ++version_;
     std::vector<CatalogueEntry> entries = catalogue_of(folder_, recent_.paths(), unsaved);
     for (CatalogueEntry& entry : entries) {
         for (const CatalogueEntry& before : entries_) {

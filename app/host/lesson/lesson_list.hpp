@@ -30,8 +30,6 @@ public:
         return lesson_at_address(name, folder_, recent_.paths());
     }
 
-    /// Grows with every `refresh`.
-    int version() const { return version_; }
     /// The entries. Whoever draws adds the thumbnails, which `refresh` keeps.
     std::vector<CatalogueEntry>& entries() { return entries_; }
     const std::vector<CatalogueEntry>& entries() const { return entries_; }
@@ -58,7 +56,6 @@ private:
     std::vector<CatalogueEntry> entries_;
     std::string search_;
     int chosen_ = -1;
-    int version_ = 0;
 };
 
 }  // namespace jw::host

@@ -103,12 +103,7 @@ void card(
     if (hovered) {
         std::string tip = entry.path.string();
         if (!entry.text.empty()) { tip = panels::run_on(math::plain_words(entry.text)) + "\n\n" + tip; }
-        ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(
-            std::min(ui.px(420.0F), ImGui::GetIO().DisplaySize.x - 2.0F * ImGui::GetStyle().WindowPadding.x));
-        ImGui::TextUnformatted(tip.c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::EndTooltip();
+        tip_of_item(tip, ui.px(420.0F));
     }
     if (ImGui::IsItemVisible()) {
         const Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);

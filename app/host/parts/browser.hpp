@@ -4,7 +4,6 @@
 #include "app/exercises/practice/progress.hpp"
 #include "app/host/lesson/lesson_list.hpp"
 #include "app/host/ui/ui.hpp"
-#include "app/host/ui/window_layout.hpp"
 
 /// The lessons as cards by chapter, with a search.
 namespace jw::host {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/exercises/figure_scene.hpp"
-#include "app/exercises/practice/starter.hpp"
+#include "app/exercises/starters.hpp"
 #include "app/host/lesson/unsaved.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/files/file_text.hpp"

@@ -23,10 +23,6 @@ constexpr float kColumnWidth = 350.0F;  // of the list of keys, at least
 constexpr float kKeysWidth = 96.0F;
 constexpr float kMouseWidth = 190.0F;
 
-// in an order that makes columns of about the same height
-constexpr Group kGroups[] = {Group::timeline,  Group::panels, Group::experiments,
-                             Group::exercises, Group::files,  Group::picture};
-
 /// A line of the sheet: what to press, and what it does.
 struct Line {
     const char* keys;
@@ -81,8 +77,8 @@ struct Section {
 
 std::vector<Section> sections(const Ui& ui) {
     std::vector<Section> all;
-    for (const Group group : kGroups) {
-        Section section{name_of(group), {}, kKeysWidth};
+    for (const auto& [group, name] : kGroups) {
+        Section section{tr(name), {}, kKeysWidth};
         for (const CommandInfo& info : command_table()) {
             if (info.group == group && is_offered(ui, info.command)) {
                 section.lines.push_back({tr(info.keys), tr(info.text)});
@@ -148,8 +144,8 @@ void menu(const LessonUi& ui) {
     if (!ImGui::IsPopupOpen("menu")) { return; }
     const MenuSpacing spacing(ui);
     if (!ImGui::BeginPopup("menu")) { return; }
-    for (const Group group : kGroups) {
-        if (!ImGui::BeginMenu(name_of(group))) { continue; }
+    for (const auto& [group, name] : kGroups) {
+        if (!ImGui::BeginMenu(tr(name))) { continue; }
         for (const CommandInfo& info : command_table()) {
             if (info.group != group || !is_offered(ui, info.command)) { continue; }
             if (ImGui::MenuItem(tr(info.text), tr(info.keys), false, is_possible(ui, info.command))) {

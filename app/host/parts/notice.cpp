@@ -1,9 +1,11 @@
 #include "app/host/parts/notice.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <imgui.h>
 
+#include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
@@ -17,6 +19,7 @@ using panels::Box;
 using panels::Canvas;
 
 constexpr double kNoticeSeconds = 6.0;
+constexpr float kWaitingWidth = 380.0F;
 
 /// Draws text on a sheet at the foot of the 3D picture. @return the foot for the next sheet, above this one
 float draw_sheet(
@@ -83,6 +86,44 @@ void draw_badge(const Ui& ui, const Box& scene) {
         canvas.text_width(font, text) + canvas.px(20.0F), canvas.line_height(font) + canvas.px(8.0F)};
     panels::sheet(canvas, badge, theme::kWarningShade, theme::kSubjectMark);
     canvas.text({badge.x + canvas.px(10.0F), badge.y + canvas.px(4.0F)}, font, theme::kInk, text);
+}
+
+const char* words_of_waiting() { return tr("Solving the lesson, joint by joint …"); }
+
+bool waiting_sheet(const Ui& ui, const Box& room, double part) {
+    const float width = std::min(ui.px(kWaitingWidth), room.width);
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float margin = ui.px(14.0F);
+    const float height = 2.0F * (line + ImGui::GetStyle().ItemSpacing.y + margin) + ImGui::GetFrameHeight();
+    const Box sheet{
+        room.x + 0.5F * (room.width - width), room.y + 0.5F * (room.height - height), width, height};
+    ImGui::SetNextWindowPos({sheet.x, sheet.y});
+    ImGui::SetNextWindowSize({sheet.width, sheet.height});
+    // above the widgets of the lesson that is still shown; but a slider that is held must stay held
+    if (!ImGui::IsAnyItemActive()) { ImGui::SetNextWindowFocus(); }
+    ImGui::Begin(
+        "waiting", nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+            ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::SetCursorPos({margin, margin});
+    ImGui::BeginGroup();
+    const Canvas canvas(ImGui::GetWindowDrawList(), ui.canvas);
+    const float line_width = ui.px(1.0F);
+    const Box inside{
+        sheet.x + line_width, sheet.y + line_width, sheet.width - 2.0F * line_width,
+        sheet.height - 2.0F * line_width};
+    panels::sheet(canvas, inside, theme::kWhite, theme::kAccent);
+    ImGui::TextUnformatted(words_of_waiting());
+    ImGui::ProgressBar(static_cast<float>(part), {width - 2.0F * margin, line});
+    const bool pressed = ImGui::Button(tr("Stop"));
+    if (!is_for_fingers()) {
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(tr("or press Escape; what was open stays"));
+    }
+    ImGui::EndGroup();
+    ImGui::End();
+    return pressed;
 }
 
 }  // namespace jw::host

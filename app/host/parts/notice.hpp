@@ -44,4 +44,11 @@ private:
 /// Draws the badge that says that the pose is not that of the step.
 void draw_badge(const Ui& ui, const panels::Box& scene);
 
+/// Words that describe the computation of a story.
+const char* words_of_waiting();
+
+/// A sheet in the middle of `room`, with the progress of a long computation and a button to cancel it.
+/// @return true if the button was pressed
+bool waiting_sheet(const Ui& ui, const panels::Box& room, double part);
+
 }  // namespace jw::host

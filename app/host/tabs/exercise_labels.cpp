@@ -81,19 +81,7 @@ std::string title_of(const Judged& judged) {
 bool is_file(ExerciseKind kind) { return kind == ExerciseKind::repair || kind == ExerciseKind::build; }
 
 bool is_of_numbers(ExerciseKind kind) {
-    switch (kind) {
-        case ExerciseKind::number:
-        case ExerciseKind::vector:
-        case ExerciseKind::matrix:
-        case ExerciseKind::pose:
-        case ExerciseKind::choose:
-        case ExerciseKind::order: return true;
-        case ExerciseKind::code:
-        case ExerciseKind::repair:
-        case ExerciseKind::build:
-        case ExerciseKind::experiment: break;
-    }
-    return false;
+    return !is_file(kind) && kind != ExerciseKind::code && kind != ExerciseKind::experiment;
 }
 
 }  // namespace jw::host

@@ -13,6 +13,7 @@
 #include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
+#include "app/session/wording/shown_lesson.hpp"
 
 namespace jw::host {
 
@@ -36,6 +37,11 @@ const char* hint_of_field(ExerciseKind kind) {
 
 void bold_words(const LessonUi& ui, const std::string& text, const render::Colour& colour) {
     rich_words(ui, text, ui.canvas.fonts().bold, colour);
+}
+
+/// Text of an author, with formulas.
+void author_words(const LessonUi& ui, const std::string& text) {
+    rich_words(ui, panels::typeset(panels::run_on(text)), ui.canvas.fonts().normal, theme::kInk);
 }
 
 /// Scrolls the column to what was drawn below `top`; to `top` itself if that is higher than the column.
@@ -89,7 +95,7 @@ void ExerciseTab::head(const LessonUi& ui, const Practice& practice) {
 
 void ExerciseTab::question(const LessonUi& ui, const Task& task) {
     const render::Fonts& fonts = ui.canvas.fonts();
-    rich_words(ui, panels::typeset(panels::run_on(task.exercise().ask)), fonts.normal, theme::kInk);
+    author_words(ui, task.exercise().ask);
     if (task.exercise().kind == ExerciseKind::code) { return note(ui, inputs_of_program(task.exercise())); }
     for (const GivenSymbol& symbol : task.asked.given) {
         ImGui::Dummy({0.0F, ui.px(2.0F)});
@@ -118,7 +124,7 @@ void ExerciseTab::choices(const LessonUi& ui, const Task& task) {
         }
         ImGui::SameLine();
         ImGui::BeginGroup();
-        rich_words(ui, panels::typeset(panels::run_on(task.shown[k])), ui.canvas.fonts().normal, theme::kInk);
+        author_words(ui, task.shown[k]);
         ImGui::EndGroup();
         ImGui::PopID();
     }
@@ -206,9 +212,7 @@ void ExerciseTab::verdict(const LessonUi& ui, const Practice& practice) {
     if (judged.right) {
         bold_words(ui, title_of(judged), theme::kAccent);
         if (!practice.task()->exercise().why.empty() && !practice.shows_solution()) {
-            rich_words(
-                ui, panels::typeset(panels::run_on(practice.task()->exercise().why)),
-                ui.canvas.fonts().normal, theme::kInk);
+            author_words(ui, practice.task()->exercise().why);
         }
         return;
     }
@@ -233,11 +237,7 @@ void ExerciseTab::hints(const LessonUi& ui, const Practice& practice) {
     if (given == 0 || practice.task() == nullptr) { return; }
     const std::vector<Text>& all = practice.task()->exercise().hints;
     section(ui, tr("Hint {0} of {1}", given, all.size()).c_str());
-    for (int k = 0; k < given; ++k) {
-        rich_words(
-            ui, panels::typeset(panels::run_on(all[static_cast<std::size_t>(k)])), ui.canvas.fonts().normal,
-            theme::kInk);
-    }
+    for (int k = 0; k < given; ++k) { author_words(ui, all[static_cast<std::size_t>(k)]); }
 }
 
 void ExerciseTab::solution(const LessonUi& ui, const Practice& practice) {
@@ -251,7 +251,7 @@ void ExerciseTab::solution(const LessonUi& ui, const Practice& practice) {
     } else {
         rich_words(ui, solution_words(task), fonts.normal, theme::kInk);
     }
-    rich_words(ui, panels::typeset(panels::run_on(task.exercise().why)), fonts.normal, theme::kInk);
+    author_words(ui, task.exercise().why);
 }
 
 }  // namespace jw::host

@@ -24,12 +24,6 @@ constexpr std::size_t kLongestAnswer = 200000;
 /// Room for words between the cursor and the right edge.
 float room_here(const Ui& ui) { return std::max(ui.px(60.0F), ImGui::GetContentRegionAvail().x); }
 
-float widest_line(const panels::RichText& rich) {
-    float width = 0.0F;
-    for (const panels::RichLine& line : rich.lines) { width = std::max(width, line.width); }
-    return width;
-}
-
 /// Draws at the cursor, and moves the cursor below.
 void draw_here(
     const Ui& ui, const panels::RichText& rich, const ImFont* font, const render::Colour& colour,
@@ -96,17 +90,15 @@ void rich_words(const Ui& ui, const std::string& text, const ImFont* font, const
     if (text.empty()) { return; }
     const float room = room_here(ui);
     panels::RichText rich = panels::layout_rich(ui.canvas.fonts(), *font, text, room);
-    float width = widest_line(rich);
-    if (width > room + 0.5F && font != ui.canvas.fonts().small) {
+    if (rich.width() > room + 0.5F && font != ui.canvas.fonts().small) {
         font = ui.canvas.fonts().small;
         rich = panels::layout_rich(ui.canvas.fonts(), *font, text, room);
-        width = widest_line(rich);
     }
-    if (width <= room + 0.5F) { return draw_here(ui, rich, font, colour, room); }
+    if (rich.width() <= room + 0.5F) { return draw_here(ui, rich, font, colour, room); }
     const float height = rich.height + ImGui::GetStyle().ScrollbarSize + ui.px(2.0F);
     const ImGuiID id = ImGui::GetID(text.c_str());
     if (ImGui::BeginChild(id, {0.0F, height}, false, ImGuiWindowFlags_HorizontalScrollbar)) {
-        draw_here(ui, rich, font, colour, width);
+        draw_here(ui, rich, font, colour, rich.width());
     }
     ImGui::EndChild();
 }

@@ -30,13 +30,8 @@ bool uses_axis(const JointType& type) {
 void forms(const LessonUi& ui, int index, const Joint& joint) {
     if (!joint.type->uses(Role::axes_parallel) && !joint.type->uses(Role::distance_parallel)) { return; }
     note(ui, tr("Which of the three equations of p1 and p2?"));
-    int k = 0;
-    for (const auto& [form, word, label] : kParallelForms) {
-        if (k > 0) { beside_if_it_fits(tr(label), ui.px(156.0F)); }
-        if (ImGui::RadioButton(tr(label), joint.parallel_form == form)) {
-            ui.requests.add(SetParallelForm{index, form});
-        }
-        ++k;
+    if (const auto form = radio_buttons(kParallelForms, joint.parallel_form, ui.px(156.0F))) {
+        ui.requests.add(SetParallelForm{index, *form});
     }
     // p1 and p2 usually have the same reason
     std::string said;
@@ -83,13 +78,8 @@ void sphere(const LessonUi& ui, int index, const Joint& joint) {
 void screw_forms(const LessonUi& ui, int index, const Joint& joint) {
     if (!joint.type->uses(Role::screw_angle)) { return; }
     note(ui, tr("Which equation ties θ to the angle? Play the motion through θ = 180° with each."));
-    int k = 0;
-    for (const auto& [form, word, label] : kAngleRows) {
-        if (k > 0) { beside_if_it_fits(tr(label), ui.px(130.0F)); }
-        if (ImGui::RadioButton(tr(label), joint.geometry.screw_angle_form == form)) {
-            ui.requests.add(SetScrewAngleForm{index, form});
-        }
-        ++k;
+    if (const auto form = radio_buttons(kAngleRows, joint.geometry.screw_angle_form, ui.px(130.0F))) {
+        ui.requests.add(SetScrewAngleForm{index, *form});
     }
 }
 

@@ -6,7 +6,6 @@
 
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/text_lines.hpp"
-#include "app/session/story/featured.hpp"
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
@@ -77,7 +76,7 @@ void history(const LessonUi& ui) {
 void coordinates(const LessonUi& ui) {
     section(ui, tr("Coordinates of Φq"));
     CoordinateChoice choice = ui.session.lesson().coordinates;
-    if (choose_coordinates("##coordinates", -1.0F, choice)) { ui.requests.add(SetCoordinates{choice}); }
+    if (choose("##coordinates", -1.0F, kChoices, choice)) { ui.requests.add(SetCoordinates{choice}); }
 }
 
 /// For each joint and driver: a check box to take it out, and its name to select it.
@@ -227,7 +226,7 @@ int experiment_joint_of(const LessonUi& ui) {
 }
 
 void experiment_tab(const LessonUi& ui, const panels::Box& box) {
-    Area area(ui, "try it", box, true);
+    Area area(ui, "try", box, true);
     verdict(ui);
     history(ui);
     trials(ui);

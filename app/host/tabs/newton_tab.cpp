@@ -6,7 +6,7 @@
 #include <imgui.h>
 
 #include "app/host/ui/widgets.hpp"
-#include "app/panels/plot/newton_comparison.hpp"
+#include "app/panels/plot/comparison.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/lesson/enum_words.hpp"
@@ -41,16 +41,6 @@ float room_for_choice(const Ui& ui) {
     return std::clamp(ImGui::GetContentRegionAvail().x, 1.0F, ui.px(210.0F));
 }
 
-void choose_method(float width, NewtonMethod& method) {
-    ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##method", tr(label_of(kNewtonMethods, method)))) { return; }
-    const NewtonMethod before = method;
-    for (const auto& [value, word, label] : kNewtonMethods) {
-        if (ImGui::Selectable(tr(label), value == before)) { method = value; }
-    }
-    ImGui::EndCombo();
-}
-
 }  // namespace
 
 void NewtonTab::controls(const LessonUi& ui) {
@@ -63,14 +53,14 @@ void NewtonTab::controls(const LessonUi& ui) {
     }
     ImGui::SameLine();
     ImGui::BeginDisabled(compared_ != Compared::methods);
-    choose_coordinates("##choice", room_for_choice(ui), choice_);
+    host::choose("##choice", room_for_choice(ui), kChoices, choice_);
     ImGui::EndDisabled();
     if (ImGui::RadioButton(tr("coordinates, by"), compared_ == Compared::coordinates)) {
         compared_ = Compared::coordinates;
     }
     ImGui::SameLine();
     ImGui::BeginDisabled(compared_ != Compared::coordinates);
-    choose_method(room_for_choice(ui), method_);
+    host::choose("##method", room_for_choice(ui), kNewtonMethods, method_);
     ImGui::EndDisabled();
     ImGui::Checkbox(tr("rows pᵀp − 1 of the (r, p) choices"), &normalisation_);
 }

@@ -51,7 +51,7 @@ const SeriesSet& PlotTab::set(const Session& session, int joint) {
 
 std::string PlotTab::csv(const Session& session) { return csv_of(set(session, joint_)); }
 
-void PlotTab::choose_curves(const LessonUi& /*ui*/, const SeriesSet& shown) {
+void PlotTab::choose_curves(const SeriesSet& shown) {
     if (ImGui::Button(tr("Curves"))) { ImGui::OpenPopup("curves"); }
     if (!ImGui::BeginPopup("curves")) { return; }
     std::vector<int> chosen = panels::shown_series(shown, state());
@@ -80,15 +80,10 @@ void PlotTab::controls(const LessonUi& ui, const SeriesSet& shown) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float buttons = ImGui::CalcTextSize((tr("Curves") + std::string(tr("All")) + "CSV").c_str()).x +
                           6.0F * style.FramePadding.x + 3.0F * style.ItemSpacing.x + 1.0F;
-    ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - buttons, 1.0F, ui.px(240.0F)));
-    if (const Topic now = topic_; ImGui::BeginCombo("##topic", tr(label_of(kTopics, now)))) {
-        for (const auto& [topic, word, label] : kTopics) {
-            if (ImGui::Selectable(tr(label), topic == now)) { topic_ = topic; }
-        }
-        ImGui::EndCombo();
-    }
+    const float room = ImGui::GetContentRegionAvail().x - buttons;
+    choose("##topic", std::clamp(room, 1.0F, ui.px(240.0F)), kTopics, topic_);
     ImGui::SameLine();
-    choose_curves(ui, shown);
+    choose_curves(shown);
     ImGui::SameLine();
     if (ImGui::Button(tr("All"))) { state() = panels::unzoomed(state()); }
     tip_of_item(tr("show everything again"));

@@ -29,7 +29,7 @@ private:
 
     const SeriesSet& set(const Session& session, int joint);
     void controls(const LessonUi& ui, const SeriesSet& shown);
-    void choose_curves(const LessonUi& ui, const SeriesSet& shown);
+    void choose_curves(const SeriesSet& shown);
     void handle(const LessonUi& ui, const panels::PlotLayout& layout, const SeriesSet& shown);
     panels::PlotState& state() { return states_[static_cast<std::size_t>(topic_)]; }
 

@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include "app/host/ui/widgets.hpp"
-#include "app/panels/plot/price_panel.hpp"
+#include "app/panels/plot/comparison.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 

@@ -1,12 +1,12 @@
 #include "app/host/tabs/tabs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <imgui.h>
 
 #include "app/host/tabs/experiment_tab.hpp"
-#include "app/host/ui/scrolled.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/column/column.hpp"
 #include "app/panels/parts/parts.hpp"
@@ -19,18 +19,6 @@ namespace {
 
 using panels::Box;
 namespace theme = panels::theme;
-
-Command command_of(Tab tab) {
-    switch (tab) {
-        case Tab::step: return Command::tab_step;
-        case Tab::experiments: return Command::tab_experiments;
-        case Tab::plot: return Command::tab_plot;
-        case Tab::newton: return Command::tab_newton;
-        case Tab::price: return Command::tab_price;
-        case Tab::exercises: break;
-    }
-    return Command::tab_exercises;
-}
 
 /// Places of the tabs side by side, each as wide as its words need.
 std::vector<Box> places_of_tabs(const panels::Canvas& canvas, const Box& strip, const ImFont* font) {
@@ -92,18 +80,6 @@ void tab_strip(const LessonUi& ui, const Box& strip) {
 
 }  // namespace
 
-const char* area_of(Tab tab) {
-    switch (tab) {
-        case Tab::experiments: return "try it";
-        case Tab::plot: return "plots";
-        case Tab::newton: return "newton";
-        case Tab::price: return "price";
-        case Tab::exercises: return "exercises";
-        case Tab::step: break;
-    }
-    return "tabs";
-}
-
 void side_column(
     const LessonUi& ui, const panels::FrameLayout& layout, Tabs& tabs, const Practice& practice,
     const ExerciseWork& work) {
@@ -127,6 +103,32 @@ void side_column(
         case Tab::exercises: return tabs.exercises.draw(ui, layout.column, practice, work);
         case Tab::step: return;
     }
+}
+
+std::string use_panel_keys(UiState& state, bool on) {
+    ImGuiIO& io = ImGui::GetIO();
+    state.panel_keys = on;
+    if (!on) {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+        ImGui::SetWindowFocus(nullptr);
+        return {};
+    }
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    if (state.tab == Tab::step) { state.tab = Tab::experiments; }
+    // each area has the word of its tab as its name
+    ImGui::SetWindowFocus(word_of(kTabs, state.tab));
+    return tr("The arrows move in the panel, Space presses, Enter types a number; Escape returns.");
+}
+
+bool act_in_panel(const InputEvent& event, UiState& state) {
+    if (event.kind != InputEvent::Kind::key) { return false; }
+    if (event.key == Key::escape) {
+        if (!ImGui::GetIO().WantTextInput) { use_panel_keys(state, false); }
+        return true;
+    }
+    // with these keys ImGui moves among its widgets
+    constexpr std::array moving{Key::left, Key::right, Key::up, Key::down, Key::space, Key::enter, Key::tab};
+    return std::ranges::find(moving, event.key) != moving.end();
 }
 
 }  // namespace jw::host

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <array>
 #include <span>
-#include <string>
 
 #include "app/host/ui/input.hpp"
+#include "lessons/text/translatable.hpp"
 
 /// Commands of keys, buttons and menus. They are in one table, so that the menu, the list of keys and the
 /// effect of a key agree.
@@ -22,7 +23,7 @@ enum class Command {
     answer,
     faster,
     slower,
-    // beside the picture
+    // beside the picture; first the tabs, in the order of Tab
     tab_step,
     tab_experiments,
     tab_plot,
@@ -81,8 +82,20 @@ enum class Command {
     quit,  // must stay last: the check of the table uses it
 };
 
-/// In the order of the menu and of the list of keys.
 enum class Group { timeline, panels, experiments, exercises, files, picture };
+
+struct GroupName {
+    Group group;
+    const char* name;  ///< translated when shown
+};
+/// In the order of the menu and of the list of keys, whose columns then have about the same height.
+inline constexpr std::array kGroups{
+    GroupName{Group::timeline, tr_later("Steps")},
+    GroupName{Group::panels, tr_later("Beside the picture")},
+    GroupName{Group::experiments, tr_later("Experiments")},
+    GroupName{Group::exercises, tr_later("Exercises")},
+    GroupName{Group::files, tr_later("Lessons and files")},
+    GroupName{Group::picture, tr_later("Picture")}};
 
 struct CommandInfo {
     Command command;
@@ -92,20 +105,13 @@ struct CommandInfo {
     Key key = Key::none;   ///< without Ctrl
     char character = 0;    ///< typed, in any keyboard layout
     Key ctrl = Key::none;  ///< with Ctrl
-    bool shift = false;    ///< of `key`
 };
 
 std::span<const CommandInfo> command_table();
 const CommandInfo& info_of(Command command);
-const char* name_of(Group group);
-
-/// Keys that are held down while others are pressed.
-struct Modifiers {
-    bool ctrl = false;
-    bool shift = false;
-};
 
 /// Command of a key or a typed character; nullptr if it has none.
-const CommandInfo* command_for(const InputEvent& event, const Modifiers& modifiers);
+/// @param ctrl  is held down
+const CommandInfo* command_for(const InputEvent& event, bool ctrl);
 
 }  // namespace jw::host

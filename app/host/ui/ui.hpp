@@ -25,6 +25,20 @@ inline constexpr std::array kTabs{
     EnumWord<Tab>{Tab::price, "price", tr_later("Cost")},
     EnumWord<Tab>{Tab::exercises, "exercises", tr_later("Exercises")}};
 
+/// The command that shows a tab: the two enumerations have the same order.
+constexpr Command command_of(Tab tab) {
+    return static_cast<Command>(static_cast<int>(Command::tab_step) + static_cast<int>(tab));
+}
+static_assert(command_of(kTabs.back().value) == Command::tab_exercises);
+
+/// The parts of the window: a frame of panels with tabs above its column, and the timeline below.
+struct WindowLayout : panels::FrameLayout {
+    int width = 0;  ///< pixels of the framebuffer
+    int height = 0;
+    float density = 0.0F;  ///< of the screen, see panels::Looking
+    panels::Box whole;
+};
+
 /// How far a part of the window is scrolled.
 struct Scroll {
     float offset = 0.0F;  ///< pixels hidden above
@@ -46,6 +60,7 @@ struct UiState {
     Pointable pointed_at;       ///< object under the pointer, in panels or in 3D
     int symbol = -1;            ///< of the caption, chosen by the keyboard; -1: none
     std::vector<int> lit_rows;  ///< of the system: highlighted, whatever is pointed at
+    render::Tone tone() const { return dark ? render::Tone::dark : render::Tone::light; }
     Lit lit() const { return {pointed_at || symbol < 0 ? pointed_at : Pointable::symbol(symbol), lit_rows}; }
     /// Call when the lesson is replaced or changed: the object pointed at may be gone.
     void forget_pointed() {

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <array>
+#include <cfloat>
+#include <functional>
+#include <optional>
 #include <string>
 
-#include "app/host/ui/ui.hpp"
+#include <imgui.h>
 
-struct ImGuiStyle;
+#include "app/host/ui/ui.hpp"
+#include "app/session/wording/messages.hpp"
 
 /// Buttons, sliders and the like in the look of the panels.
 namespace jw::host {
@@ -33,8 +38,8 @@ void command_button(
 /// A button as high as its text, for a line of text; for fingers it has the usual height.
 bool small_button(const char* label);
 
-/// Tip for the item before, shown while the pointer is on it; wrapped if the window is narrow.
-void tip_of_item(const std::string& text);
+/// Tip for the item before, shown while the pointer is on it; wrapped to `widest`, or to a narrow window.
+void tip_of_item(const std::string& text, float widest = FLT_MAX);
 /// Tip for an item that carries out a command: what the command does, and its keys.
 void tip_of_command(Command command);
 
@@ -59,8 +64,37 @@ void end_column_at(const panels::Box& place);
 /// text fits there; else on a new line.
 void beside_if_it_fits(const char* label, float step);
 
-/// A list to select one of the four coordinate choices.
+/// A list to select one of the values of a table.
 /// @return true if another one was chosen
-bool choose_coordinates(const char* id, float width, CoordinateChoice& choice);
+template <class E, std::size_t N>
+bool choose(const char* id, float width, const std::array<EnumWord<E>, N>& table, E& value) {
+    ImGui::SetNextItemWidth(width);
+    if (!ImGui::BeginCombo(id, tr(label_of(table, value)))) { return false; }
+    const E before = value;
+    for (const EnumWord<E>& entry : table) {
+        if (ImGui::Selectable(tr(entry.label), entry.value == before)) { value = entry.value; }
+    }
+    ImGui::EndCombo();
+    return value != before;
+}
+
+/// Radio buttons for the values of a table, side by side where they fit, at multiples of `step`.
+/// @return the value that was pressed
+template <class E, std::size_t N>
+std::optional<E> radio_buttons(const std::array<EnumWord<E>, N>& table, E value, float step) {
+    std::optional<E> pressed;
+    for (const EnumWord<E>& entry : table) {
+        if (&entry != &table.front()) { beside_if_it_fits(tr(entry.label), step); }
+        if (ImGui::RadioButton(tr(entry.label), value == entry.value)) { pressed = entry.value; }
+    }
+    return pressed;
+}
+
+/// Draws content that may be higher than its part of the window. It is then scrolled by the wheel, the scroll
+/// bar and the commands of the panel.
+/// @param height  of the content; `draw` gets a box of that height
+void scrolled(
+    const Ui& ui, const panels::Box& box, float height, Scroll& scroll,
+    const std::function<void(const panels::Canvas&, const panels::Box&)>& draw);
 
 }  // namespace jw::host

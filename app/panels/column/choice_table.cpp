@@ -2,9 +2,10 @@
 
 #include <imgui.h>
 
-#include "app/panels/column/equations_panel.hpp"
+#include "app/panels/column/panels.hpp"
 #include "app/panels/parts/formula.hpp"
 #include "app/panels/parts/theme.hpp"
+#include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 
@@ -12,7 +13,6 @@ namespace jw::panels {
 
 namespace {
 
-constexpr const char* kAxisNames[] = {"x", "y", "z"};
 // about the reciprocal of a component that is zero except for rounding
 constexpr double kInfinite = 1e12;
 
@@ -20,7 +20,7 @@ constexpr double kInfinite = 1e12;
 void draw_size(const Canvas& canvas, const Box& cell, int component, double size, bool dropped) {
     const ImFont* const small = canvas.fonts().small;
     const Formula name =
-        layout_formula(std::string("|s_") + kAxisNames[component] + "|", small_formula_fonts(canvas.fonts()));
+        layout_formula(std::string("|s_") + axis_name(component) + "|", small_formula_fonts(canvas.fonts()));
     const float baseline = cell.y + std::round(small->Ascent);
     draw_formula(canvas, {cell.x, baseline}, name, theme::kInk);
 
@@ -44,7 +44,7 @@ void draw_size(const Canvas& canvas, const Box& cell, int component, double size
 void draw_condition(const Canvas& canvas, const Box& cell, int component, double condition, bool dropped) {
     const ImFont* const small = canvas.fonts().small;
     const std::string value = "κ = " + (condition > kInfinite ? std::string("∞") : number_text(condition, 3));
-    const std::string whole = tr("without {0}: {1}", kAxisNames[component], value);
+    const std::string whole = tr("without {0}: {1}", axis_name(component), value);
     const bool fits = canvas.text_width(small, whole) < cell.width - canvas.px(6.0F);
     canvas.text({cell.x, cell.y}, small, dropped ? theme::kInk : theme::kSoft, fits ? whole : value);
 }

@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <imgui.h>
 
-#include "app/panels/column/dynamics_panel.hpp"
-#include "app/panels/column/equations_panel.hpp"
-#include "app/panels/column/failure_panel.hpp"
-#include "app/panels/column/matrix_panel.hpp"
-#include "app/panels/column/motion_panel.hpp"
-#include "app/panels/column/newton_panel.hpp"
-#include "app/panels/column/rank_panel.hpp"
-#include "app/panels/column/small_plots.hpp"
+#include "app/panels/column/panels.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
 
@@ -58,109 +52,83 @@ Block given_up_at(int level, Block block) {
     return block;
 }
 
-Block empty_block() {
-    return {[](const Canvas&, const Box&, Density) { return 0.0F; }};
+using Panel = float (*)(const Canvas&, const Box&, const View&, Density);
+
+Block block_of(const View& view, Panel draw) {
+    return {[&view, draw](const Canvas& c, const Box& box, Density density) {
+        return draw(c, box, view, density);
+    }};
 }
 
-Block equations_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density density) {
-        return view.equations.empty() ? 0.0F : equations_panel(c, box, view.equations, density);
-    }};
+float no_panel(const Canvas& /*canvas*/, const Box& /*box*/, const View& /*view*/, Density /*density*/) {
+    return 0.0F;
+}
+
+float equations_of_step(const Canvas& canvas, const Box& box, const View& view, Density density) {
+    return view.equations.empty() ? 0.0F : equations_panel(canvas, box, view.equations, density);
 }
 
 /// If the question asked for a row, the equations, which show the rows that are kept, are the answer.
-Block row_answer_block(const View& view) {
+float row_answer_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
     const bool of_rows = view.question && view.question->kind == QuestionView::Kind::thing &&
                          view.question->thing == Thing::Kind::row;
-    return of_rows ? equations_block(view) : Block{[](const Canvas&, const Box&, Density) { return 0.0F; }};
+    return of_rows ? equations_of_step(canvas, box, view, density) : 0.0F;
 }
 
-/// Block of the equations with their values only, without the reasons for the choice of rows.
-Block values_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density) {
-        if (view.equations.empty()) { return 0.0F; }
-        std::vector<EquationGroup> bare = view.equations;
-        for (EquationGroup& group : bare) { group.choice.reset(); }
-        return equations_panel(c, box, bare, Density::tight);
-    }};
+/// The equations with their values only, without the reasons for the choice of rows.
+float values_panel(const Canvas& canvas, const Box& box, const View& view, Density /*density*/) {
+    if (view.equations.empty()) { return 0.0F; }
+    std::vector<EquationGroup> bare = view.equations;
+    for (EquationGroup& group : bare) { group.choice.reset(); }
+    return equations_panel(canvas, box, bare, Density::tight);
 }
 
 /// During the motion: the equations among which there is a choice, or all if there is none.
-Block choices_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density density) {
-        std::vector<EquationGroup> shown;
-        for (const EquationGroup& group : view.equations) {
-            if (group.choice) { shown.push_back(group); }
-        }
-        if (shown.empty()) { shown = view.equations; }
-        return shown.empty() ? 0.0F : equations_panel(c, box, shown, density);
-    }};
+float choices_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
+    std::vector<EquationGroup> shown;
+    std::ranges::copy_if(view.equations, std::back_inserter(shown), [](const EquationGroup& group) {
+        return group.choice.has_value();
+    });
+    return shown.empty() ? equations_of_step(canvas, box, view, density)
+                         : equations_panel(canvas, box, shown, density);
 }
 
-Block figures_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density) { return rank_figures(c, box, view.rank); }};
-}
+/// Why a joint cannot be closed, or why the motion ends: joint, row, residual, cause and remedy, in a box of
+/// its own.
+float failure_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
+    if (view.failure.empty()) { return 0.0F; }
+    const render::Fonts& fonts = canvas.fonts();
+    const float margin = canvas.px(12.0F);
+    const float title_height = canvas.line_height(fonts.bold) + canvas.px(4.0F);
+    const ImFont* const font = density == Density::roomy ? fonts.normal : fonts.small;
+    const Box inner{
+        box.x + margin + canvas.px(4.0F), box.y + margin, box.width - 2.0F * margin - canvas.px(4.0F), 0.0F};
+    const Box words{inner.x, inner.y + title_height, inner.width, 0.0F};
+    const std::size_t most = density >= Density::tight ? 6 : 12;
+    const float text = paragraph(canvas.measuring(), words, font, theme::kInk, view.failure, most);
+    const Box frame{box.x, box.y, box.width, title_height + text + 2.0F * margin};
 
-Block words_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density density) {
-        return rank_words(c, box, view.rank, density);
-    }};
-}
-
-Block warnings_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density) { return rank_warnings(c, box, view.rank); }};
+    canvas.fill(frame, theme::kFailureShade, canvas.px(4.0F));
+    canvas.fill({frame.x, frame.y, canvas.px(4.0F), frame.height}, theme::kRedundant);
+    const bool moves = view.kind == Step::Kind::motion;
+    const char* const title = moves ? tr("The motion ends here") : tr("It cannot be closed");
+    canvas.text({inner.x, inner.y}, fonts.bold, theme::kRedundant, title);
+    paragraph(canvas, words, font, theme::kInk, view.failure, most);
+    return frame.height;
 }
 
 Block singular_values_block(const Canvas& canvas, const View& view) {
-    if (view.rank.singular_values.empty()) { return empty_block(); }
+    if (view.rank.singular_values.empty()) { return block_of(view, no_panel); }
     return plot_block(
         canvas, 170.0F, tr("Singular values"), tr("of Φq in (r, ω′)"),
         [&view](const Canvas& c, const Box& box) { singular_values_plot(c, box, view.rank); });
 }
 
-Block newton_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density density) {
-        return view.newton.empty() ? 0.0F : newton_panel(c, box, view.newton, density);
-    }};
-}
-
 Block convergence_block(const Canvas& canvas, const View& view) {
-    if (view.newton.empty()) { return empty_block(); }
+    if (view.newton.empty()) { return block_of(view, no_panel); }
     return plot_block(
         canvas, 160.0F, "‖Φ‖", tr("from iteration to iteration"),
         [&view](const Canvas& c, const Box& box) { convergence_plot(c, box, view.newton); });
-}
-
-Block failure_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density density) {
-        const char* const title =
-            view.kind == Step::Kind::motion ? tr("The motion ends here") : tr("It cannot be closed");
-        return failure_panel(c, box, title, view.failure, density);
-    }};
-}
-
-Block coordinates_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density density) {
-        return view.bodies.empty() ? 0.0F : coordinates_panel(c, box, view.bodies, density);
-    }};
-}
-
-Block quantities_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density density) {
-        return quantities_panel(c, box, view, density);
-    }};
-}
-
-Block dynamics_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density density) {
-        return view.dynamics ? dynamics_panel(c, box, *view.dynamics, density) : 0.0F;
-    }};
-}
-
-Block bodies_block(const View& view) {
-    return {[&view](const Canvas& c, const Box& box, Density density) {
-        return view.bodies.empty() ? 0.0F : bodies_motion_panel(c, box, view.bodies, density);
-    }};
 }
 
 /// Heights at one density. Blocks that fill get their least height; blocks that are given up get none.
@@ -206,6 +174,10 @@ void share_out(
     }
 }
 
+Box inside_column(const Canvas& canvas, const Box& box) {
+    return shrunk(box, canvas.px(theme::kMargin), canvas.px(14.0F));
+}
+
 }  // namespace
 
 Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Block>& blocks) {
@@ -238,41 +210,36 @@ Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Bloc
 }
 
 std::vector<Block> blocks_of(const Canvas& canvas, const View& view) {
+    const auto panel = [&view](Panel draw, int given_up = 0) {
+        return given_up_at(given_up, block_of(view, draw));
+    };
     const Block matrix = given_up_at(5, matrix_block(canvas, view));
     const Block plot = given_up_at(2, singular_values_block(canvas, view));
     switch (view.kind) {
-        case Step::Kind::bodies: return {coordinates_block(view), figures_block(view), matrix};
+        case Step::Kind::bodies: return {panel(coordinates_panel), panel(rank_figures), matrix};
         case Step::Kind::equations:
-            return {equations_block(view), matrix, given_up_at(4, figures_block(view)), given_up_at(1, plot)};
+            return {panel(equations_of_step), matrix, panel(rank_figures, 4), given_up_at(1, plot)};
         case Step::Kind::iteration:
             return {
-                given_up_at(4, values_block(view)), newton_block(view), matrix,
+                panel(values_panel, 4), panel(newton_panel), matrix,
                 given_up_at(2, convergence_block(canvas, view))};
-        case Step::Kind::question: return {equations_block(view), figures_block(view), matrix, plot};
+        case Step::Kind::question: return {panel(equations_of_step), panel(rank_figures), matrix, plot};
         case Step::Kind::answer:
-            return {row_answer_block(view), figures_block(view), words_block(view), matrix, plot};
-        case Step::Kind::assembled: return {figures_block(view), words_block(view), matrix, plot};
-        case Step::Kind::failed: return {failure_block(view), given_up_at(4, newton_block(view)), matrix};
+            return {panel(row_answer_panel), panel(rank_figures), panel(rank_words), matrix, plot};
+        case Step::Kind::assembled: return {panel(rank_figures), panel(rank_words), matrix, plot};
+        case Step::Kind::failed: return {panel(failure_panel), panel(newton_panel, 4), matrix};
         case Step::Kind::motion: break;
     }
     return {
-        failure_block(view),
-        given_up_at(4, choices_block(view)),
-        given_up_at(view.dynamics ? 6 : 0, quantities_block(view)),
-        dynamics_block(view),
-        given_up_at(view.dynamics ? 1 : 3, bodies_block(view)),
-        warnings_block(view),
+        panel(failure_panel),
+        panel(choices_panel, 4),
+        panel(quantities_panel, view.dynamics ? 6 : 0),
+        panel(dynamics_panel),
+        panel(bodies_motion_panel, view.dynamics ? 1 : 3),
+        panel(rank_warnings),
         matrix,
         plot};
 }
-
-namespace {
-
-Box inside_column(const Canvas& canvas, const Box& box) {
-    return shrunk(box, canvas.px(theme::kMargin), canvas.px(14.0F));
-}
-
-}  // namespace
 
 float column_height(const Canvas& canvas, const Box& box, const View& view) {
     const Box inner = inside_column(canvas, box);

@@ -1,4 +1,4 @@
-#include "app/panels/column/dynamics_panel.hpp"
+#include "app/panels/column/panels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -203,7 +203,9 @@ float draw_sums(const Canvas& canvas, const Box& box, const DynamicsView& dynami
 
 }  // namespace
 
-float dynamics_panel(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, Density density) {
+float dynamics_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
+    if (!view.dynamics) { return 0.0F; }
+    const DynamicsView& dynamics = *view.dynamics;
     const bool tight = density >= Density::tight;
     const std::size_t most = density == Density::roomy ? 6 : (tight ? 2 : 4);
     float height =

@@ -1,4 +1,4 @@
-#include "app/panels/column/equations_panel.hpp"
+#include "app/panels/column/panels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +17,8 @@ namespace {
 using Status = EquationRow::Status;
 
 const char* word_of(Status status) {
-    switch (status) {
-        case Status::kept: return "";
-        case Status::dropped: return tr("out");
-        case Status::open: return "";
-        case Status::redundant: break;
-    }
-    return tr("redundant");
+    if (status == Status::redundant) { return tr("redundant"); }
+    return status == Status::dropped ? tr("out") : "";
 }
 
 Colour colour_of(Status status) {

@@ -1,4 +1,4 @@
-#include "app/panels/column/matrix_panel.hpp"
+#include "app/panels/column/panels.hpp"
 
 #include <algorithm>
 #include <cmath>

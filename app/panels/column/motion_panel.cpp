@@ -1,4 +1,4 @@
-#include "app/panels/column/motion_panel.hpp"
+#include "app/panels/column/panels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -199,12 +199,12 @@ float quantities_panel(const Canvas& canvas, const Box& box, const View& view, D
     return height;
 }
 
-float bodies_motion_panel(
-    const Canvas& canvas, const Box& box, const std::vector<BodyMotion>& bodies, Density density) {
+float bodies_motion_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
+    if (view.bodies.empty()) { return 0.0F; }
     float height = heading(canvas, box, tr("Bodies"), tr("x, y, z in the global frame"));
     const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
     height += table(
-        canvas, below(), bodies,
+        canvas, below(), view.bodies,
         {{"\\mathbf{r}", "m"}, {"\\dot{\\mathbf{r}}", "m/s"}, {"\\boldsymbol{\\omega}", "rad/s"}},
         most_bodies(density), [&](const Box& row, const BodyMotion& body) {
             draw_numbers(canvas, vector_cell(row, 0, 3), body.r, 3);
@@ -215,7 +215,7 @@ float bodies_motion_panel(
     height += canvas.px(4.0F);
     return height +
            table(
-               canvas, below(), bodies,
+               canvas, below(), view.bodies,
                {{"", ""}, {"\\ddot{\\mathbf{r}}", "m/s²"}, {"\\dot{\\boldsymbol{\\omega}}", "rad/s²"}},
                most_bodies(density), [&](const Box& row, const BodyMotion& body) {
                    draw_numbers(canvas, vector_cell(row, 1, 3), body.r_ddot, 2);
@@ -223,17 +223,17 @@ float bodies_motion_panel(
                });
 }
 
-float coordinates_panel(
-    const Canvas& canvas, const Box& box, const std::vector<BodyMotion>& bodies, Density density) {
-    float height = heading(canvas, box, tr("Coordinates q"), tr("where the bodies start"));
+float coordinates_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
+    if (view.bodies.empty()) { return 0.0F; }
+    const float height = heading(canvas, box, tr("Coordinates q"), tr("where the bodies start"));
     const Box below{box.x, box.y + height, box.width, 0.0F};
-    height += table(
-        canvas, below, bodies, {{"\\mathbf{r}", tr("x, y, z in m")}, {"\\mathbf{p}", "e₀, e₁, e₂, e₃"}},
-        2 * most_bodies(density), [&](const Box& row, const BodyMotion& body) {
-            draw_numbers(canvas, vector_cell(row, 0, 2), body.r, 3);
-            draw_numbers(canvas, vector_cell(row, 1, 2), body.p, 3);
-        });
-    return height;
+    return height + table(
+                        canvas, below, view.bodies,
+                        {{"\\mathbf{r}", tr("x, y, z in m")}, {"\\mathbf{p}", "e₀, e₁, e₂, e₃"}},
+                        2 * most_bodies(density), [&](const Box& row, const BodyMotion& body) {
+                            draw_numbers(canvas, vector_cell(row, 0, 2), body.r, 3);
+                            draw_numbers(canvas, vector_cell(row, 1, 2), body.p, 3);
+                        });
 }
 
 }  // namespace jw::panels

@@ -1,4 +1,4 @@
-#include "app/panels/column/newton_panel.hpp"
+#include "app/panels/column/panels.hpp"
 
 #include <array>
 
@@ -144,8 +144,9 @@ std::size_t most_rows(Density density) {
 
 }  // namespace
 
-float newton_panel(
-    const Canvas& canvas, const Box& box, const std::vector<NewtonRow>& rows, Density density) {
+float newton_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
+    const std::vector<NewtonRow>& rows = view.newton;
+    if (rows.empty()) { return 0.0F; }
     const std::size_t most = most_rows(density);
     const std::size_t first = rows.size() > most ? rows.size() - most : 0;
     const std::string note = first > 0 ? tr("{0} earlier ones not shown", first) : "Φq Δq = −Φ";

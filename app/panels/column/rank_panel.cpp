@@ -1,4 +1,4 @@
-#include "app/panels/column/rank_panel.hpp"
+#include "app/panels/column/panels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -109,7 +109,8 @@ float once_assembled_line(const Canvas& canvas, const Box& box, const RankView& 
 
 }  // namespace
 
-float rank_figures(const Canvas& canvas, const Box& box, const RankView& rank) {
+float rank_figures(const Canvas& canvas, const Box& box, const View& view, Density /*density*/) {
+    const RankView& rank = view.rank;
     const float top = heading(
         canvas, box, tr("Rank"),
         rank.assembled ? tr("of joints and drivers, in (r, ω′)")
@@ -131,7 +132,8 @@ float rank_figures(const Canvas& canvas, const Box& box, const RankView& rank) {
     return height + once_assembled_line(canvas, {box.x, box.y + height, box.width, 0.0F}, rank);
 }
 
-float rank_warnings(const Canvas& canvas, const Box& box, const RankView& rank) {
+float rank_warnings(const Canvas& canvas, const Box& box, const View& view, Density /*density*/) {
+    const RankView& rank = view.rank;
     float height = 0.0F;
     const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
     if (!rank.assembled) {
@@ -152,10 +154,11 @@ float rank_warnings(const Canvas& canvas, const Box& box, const RankView& rank) 
     return height;
 }
 
-float rank_words(const Canvas& canvas, const Box& box, const RankView& rank, Density density) {
+float rank_words(const Canvas& canvas, const Box& box, const View& view, Density density) {
+    const RankView& rank = view.rank;
     const std::size_t most = density == Density::roomy ? 3 : (density == Density::compact ? 2 : 1);
     const std::size_t lines = density >= Density::tight ? 1 : 2;
-    float height = rank_warnings(canvas, box, rank);
+    float height = rank_warnings(canvas, box, view, density);
     const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
     height += titled_list(canvas, below(), tr("Dependent equations"), rank.combinations, most, lines);
     const char* const title = rank.dof == 1 ? tr("The freedom that is left") : tr("Freedoms that are left");

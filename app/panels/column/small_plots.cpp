@@ -1,4 +1,4 @@
-#include "app/panels/column/small_plots.hpp"
+#include "app/panels/column/panels.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -32,6 +32,15 @@ Pointable pointable_of(Ink ink, int joint) {
     return {};
 }
 
+/// Registers a symbol of a formula, and marks it with a line at its foot if it is highlighted.
+void link_box(const Canvas& canvas, const Box& box, const Pointable& link) {
+    canvas.spot(box, link);
+    if (!canvas.lit(link)) { return; }
+    const float air = canvas.px(2.0F);
+    canvas.fill(box, theme::kSubject, canvas.px(3.0F));
+    canvas.fill({box.x, box.bottom() - air, box.width, air}, theme::kSubjectMark);
+}
+
 }  // namespace
 
 FormulaFonts formula_fonts(const render::Fonts& fonts) { return {fonts.formula, fonts.formula_script}; }
@@ -75,10 +84,7 @@ void link_formula(const Canvas& canvas, Point baseline, const Formula& formula, 
         const Box box{
             baseline.x + left - air, baseline.y - formula.ascent - air, right - left + 2.0F * air,
             formula.ascent + formula.descent + 2.0F * air};
-        canvas.spot(box, link);
-        if (!canvas.lit(link)) { continue; }
-        canvas.fill(box, theme::kSubject, canvas.px(3.0F));
-        canvas.fill({box.x, box.bottom() - air, box.width, air}, theme::kSubjectMark);
+        link_box(canvas, box, link);
     }
 }
 
@@ -90,10 +96,7 @@ void link_symbols(const Canvas& canvas, Point baseline, const Formula& formula, 
         const Box box{
             baseline.x + symbol.box.x - 0.5F * air, baseline.y + symbol.box.y - air, symbol.box.width + air,
             symbol.box.height + 2.0F * air};
-        canvas.spot(box, link);
-        if (!canvas.lit(link)) { continue; }
-        canvas.fill(box, theme::kSubject, canvas.px(3.0F));
-        canvas.fill({box.x, box.bottom() - air, box.width, air}, theme::kSubjectMark);
+        link_box(canvas, box, link);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,10 @@ struct RichLine {
 struct RichText {
     std::vector<RichLine> lines;
     float height = 0.0F;
+
+    float width() const {
+        return lines.empty() ? 0.0F : std::ranges::max_element(lines, {}, &RichLine::width)->width;
+    }
 };
 
 /// Lays out a text with formulas in lines no wider than `width`. A formula that is wider than a line is

@@ -19,12 +19,6 @@ constexpr float kBetweenTipLines = 3.0F;
 constexpr float kOff = 10.0F;         ///< distance from the subject of the tip
 constexpr float kWidestTip = 640.0F;  ///< at 720
 
-float width_of(const RichText& text) {
-    float width = 0.0F;
-    for (const RichLine& line : text.lines) { width = std::max(width, line.width); }
-    return width;
-}
-
 /// The first lines, as many as fit, and their size.
 struct TipLines {
     std::vector<RichText> lines;
@@ -37,9 +31,9 @@ TipLines lines_in(const Canvas& canvas, const std::vector<std::string>& lines, f
     for (const std::string& line : lines) {
         RichText text = layout_rich(canvas.fonts(), *canvas.fonts().small, with_minus_signs(line), width);
         const float gap = laid.lines.empty() ? 0.0F : canvas.px(kBetweenTipLines);
-        if (width_of(text) > width || laid.height + gap + text.height > height) { continue; }
+        if (text.width() > width || laid.height + gap + text.height > height) { continue; }
         laid.height += gap + text.height;
-        laid.width = std::max(laid.width, std::ceil(width_of(text)));
+        laid.width = std::max(laid.width, std::ceil(text.width()));
         laid.lines.push_back(std::move(text));
     }
     return laid;

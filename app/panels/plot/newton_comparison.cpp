@@ -1,4 +1,4 @@
-#include "app/panels/plot/newton_comparison.hpp"
+#include "app/panels/plot/comparison.hpp"
 
 #include <algorithm>
 

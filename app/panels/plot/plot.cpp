@@ -228,10 +228,4 @@ void draw_plot(const Canvas& canvas, const PlotLayout& layout, const SeriesSet& 
     draw_cursor(canvas, layout, set);
 }
 
-PlotLayout plot(const Canvas& canvas, const Box& box, const SeriesSet& set, const PlotState& state) {
-    PlotLayout layout = layout_plot(canvas, box, set, state);
-    draw_plot(canvas, layout, set, state);
-    return layout;
-}
-
 }  // namespace jw::panels

@@ -76,9 +76,6 @@ struct PlotLayout {
 PlotLayout layout_plot(const Canvas& canvas, const Box& box, const SeriesSet& set, const PlotState& state);
 void draw_plot(const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, const PlotState& state);
 
-/// Layout and drawing at once.
-PlotLayout plot(const Canvas& canvas, const Box& box, const SeriesSet& set, const PlotState& state);
-
 /// Indices of the shown series, in the order in which they are drawn.
 std::vector<int> shown_series(const SeriesSet& set, const PlotState& state);
 
@@ -106,9 +103,9 @@ std::optional<PlotHit> hit_of(const PlotLayout& layout, const SeriesSet& set, Po
 
 /// State after zooming by `factor` (above 1: nearer) about a pixel; it zooms the axis, and the values of the
 /// pane of the pixel.
-PlotState zoomed(const PlotState& state, const PlotLayout& layout, Point about, double factor);
+PlotState zoomed(PlotState state, const PlotLayout& layout, Point about, double factor);
 /// State after moving with the mouse.
-PlotState panned(const PlotState& state, const PlotLayout& layout, Point at, Point by);
+PlotState panned(PlotState state, const PlotLayout& layout, Point at, Point by);
 /// State in which everything is visible again.
 PlotState unzoomed(PlotState state);
 

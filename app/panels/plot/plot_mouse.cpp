@@ -76,26 +76,24 @@ std::optional<PlotHit> hit_of(const PlotLayout& layout, const SeriesSet& set, Po
     return best;
 }
 
-PlotState zoomed(const PlotState& state, const PlotLayout& layout, Point about, double factor) {
-    PlotState next = state;
+PlotState zoomed(PlotState state, const PlotLayout& layout, Point about, double factor) {
     const PlotPane* const pane = pane_at(layout, about);
-    if (pane == nullptr || !(factor > 0.0)) { return next; }
+    if (pane == nullptr || !(factor > 0.0)) { return state; }
     const auto scale = static_cast<float>(1.0 / factor);
     const auto nearer = [scale](const Axis& axis, float middle) {
         return between(axis, middle + scale * (axis.start - middle), middle + scale * (axis.end - middle));
     };
-    next.window = nearer(layout.x, about.x);
-    set_height(next, pane->unit, nearer(pane->y, about.y));
-    return next;
+    state.window = nearer(layout.x, about.x);
+    set_height(state, pane->unit, nearer(pane->y, about.y));
+    return state;
 }
 
-PlotState panned(const PlotState& state, const PlotLayout& layout, Point at, Point by) {
-    PlotState next = state;
+PlotState panned(PlotState state, const PlotLayout& layout, Point at, Point by) {
     const PlotPane* const pane = pane_at(layout, at);
-    if (pane == nullptr) { return next; }
-    next.window = between(layout.x, layout.x.start - by.x, layout.x.end - by.x);
-    set_height(next, pane->unit, between(pane->y, pane->y.start - by.y, pane->y.end - by.y));
-    return next;
+    if (pane == nullptr) { return state; }
+    state.window = between(layout.x, layout.x.start - by.x, layout.x.end - by.x);
+    set_height(state, pane->unit, between(pane->y, pane->y.start - by.y, pane->y.end - by.y));
+    return state;
 }
 
 PlotState unzoomed(PlotState state) {

@@ -1,4 +1,4 @@
-#include "app/panels/plot/price_panel.hpp"
+#include "app/panels/plot/comparison.hpp"
 
 #include <cmath>
 

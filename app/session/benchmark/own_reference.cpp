@@ -1,11 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "app/session/benchmark/benchmark.hpp"
-#include "app/session/benchmark/extrapolation.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "core/elementary/elementary.hpp"
+#include "core/motion/motion_equations.hpp"
 #include "core/motion/time_events.hpp"
 
 namespace jw {
@@ -27,27 +29,121 @@ struct ReferenceWay {
     std::string failure;
 };
 
-/// Records the position of the point in the flat states that it receives; ends the run if it is asked to
-/// stop.
-class PointRecorder {
-public:
-    PointRecorder(const Lesson& lesson, const Simulation& simulation, const std::stop_token& stop)
-        : tracked_(*lesson.dynamics->point), simulation_(simulation), stop_(stop) {}
+/// Adds the place of the lesson's point in a flat state; ends the run if it is asked to stop.
+void record_place(
+    const Lesson& lesson, const Simulation& simulation, const std::vector<double>& y,
+    const std::stop_token& stop, PointPath& path) {
+    if (stop.stop_requested()) { throw Stopped(); }
+    const BodyPoint& tracked = *lesson.dynamics->point;
+    path.emplace_back(
+        simulation.point(y, tracked.body, tracked.point_local),
+        simulation.point_velocity(y, tracked.body, tracked.point_local));
+}
 
-    void operator()(const std::vector<double>& y) {
-        if (stop_.stop_requested()) { throw Stopped(); }
-        path.emplace_back(
-            simulation_.point(y, tracked_.body, tracked_.point_local),
-            simulation_.point_velocity(y, tracked_.body, tracked_.point_local));
+using Numbers = std::vector<double>;
+
+// 2, 6, 10 ... 26 small steps: these keep the weights of the extrapolation, and so its rounding, small
+constexpr std::size_t kColumns = 7;
+constexpr int steps_of(std::size_t column) { return static_cast<int>(4 * column + 2); }
+constexpr double kOrder = 2.0 * kColumns;
+
+/// Gragg's modified midpoint rule, extrapolated to a step of length 0. It shares no coefficients, step
+/// control or sampling with the program's methods.
+/// @source Hairer, Nørsett, Wanner: Solving Ordinary Differential Equations I, II.9
+class Extrapolation {
+public:
+    Extrapolation(MotionEquations& equations, double tolerance)
+        : equations_(equations), tolerance_(tolerance), slope_(static_cast<std::size_t>(equations.size())) {}
+
+    /// One step of length h. @return its error relative to the tolerance; not finite if the step failed
+    double step(double t, double h, Numbers& y) {
+        Numbers first(y.size());
+        equations_.evaluate(t, y.data(), first.data());
+        Numbers error(y.size());
+        for (std::size_t k = 0; k < kColumns; ++k) {
+            Numbers value = midpoint_rule(t, h, y, first, steps_of(k));
+            for (std::size_t m = 1; m <= k; ++m) {
+                const double ratio = static_cast<double>(steps_of(k)) / steps_of(k - m);
+                for (std::size_t n = 0; n < y.size(); ++n) {
+                    const double correction = (value[n] - row_[m - 1][n]) / (ratio * ratio - 1.0);
+                    row_[m - 1][n] = value[n];
+                    value[n] += correction;
+                    error[n] = correction;
+                }
+            }
+            row_[k] = std::move(value);
+        }
+        double largest = 0.0;
+        for (std::size_t n = 0; n < y.size(); ++n) {
+            const double by_size = std::abs(error[n]) / (1.0 + std::abs(y[n]));
+            if (!(by_size <= largest)) { largest = by_size; }
+            y[n] += row_[kColumns - 1][n];
+        }
+        return largest / tolerance_;
     }
 
-    PointPath path;
-
 private:
-    const BodyPoint& tracked_;
-    const Simulation& simulation_;
-    const std::stop_token& stop_;
+    /// Change of y over `count` midpoint steps (an even number). Changes are smaller than y, and so is the
+    /// rounding error.
+    Numbers midpoint_rule(double t, double h, const Numbers& y, const Numbers& first, int count) {
+        const double small = h / count;
+        Numbers before(y.size(), 0.0);
+        Numbers now(y.size());
+        Numbers there(y.size());
+        for (std::size_t n = 0; n < y.size(); ++n) { now[n] = small * first[n]; }
+        for (int s = 1; s < count; ++s) {
+            for (std::size_t n = 0; n < y.size(); ++n) { there[n] = y[n] + now[n]; }
+            equations_.evaluate(t + s * small, there.data(), slope_.data());
+            for (std::size_t n = 0; n < y.size(); ++n) { before[n] += 2.0 * small * slope_[n]; }
+            before.swap(now);
+        }
+        return now;
+    }
+
+    MotionEquations& equations_;
+    double tolerance_;
+    Numbers slope_;
+    std::array<Numbers, kColumns> row_;
 };
+
+/// Integrates from times.front() to times.back(). A step ends at each of the times; y is projected after each
+/// step.
+/// @param tolerance of a step: the error of a number y is divided by 1 + |y|
+/// @param receive given y at every time
+/// @return false if no step is short enough, or `most_steps` are not enough
+bool extrapolate(
+    MotionEquations& equations, std::vector<double> y, const std::vector<double>& times, double tolerance,
+    long most_steps, const std::function<void(const std::vector<double>& y)>& receive) {
+    Extrapolation extrapolation(equations, tolerance);
+    const double duration = times.back() - times.front();
+    double h = 1e-3 * duration;
+    long steps = 0;
+    receive(y);
+    for (std::size_t k = 1; k < times.size(); ++k) {
+        double t = times[k - 1];
+        while (t < times[k]) {
+            if (++steps > most_steps || !(h > 1e-10 * duration)) { return false; }
+            equations.choose_rows(t, y.data());
+            const double left = times[k] - t;
+            const bool last = h >= left;
+            const double tried = last ? left : std::min(h, 0.5 * left);
+            Numbers next = y;
+            const double error = extrapolation.step(t, tried, next);
+            const double finite = std::isfinite(error) ? std::max(error, 1e-20) : 1e20;
+            const double factor = std::clamp(0.8 * elementary::pow(finite, -1.0 / (kOrder - 1.0)), 0.2, 4.0);
+            if (finite > 1.0) {
+                h = tried * factor;
+                continue;
+            }
+            h = last ? std::max(h, tried * factor) : tried * factor;
+            t = last ? times[k] : t + tried;
+            y = std::move(next);
+            equations.project(t, y.data());
+        }
+        receive(y);
+    }
+    return true;
+}
 
 /// The equations of the bodies by an integrator that no method uses. It does not count the turns of springs;
 /// only runs of the program do.
@@ -70,7 +166,7 @@ ReferenceWay by_extrapolation(
     }
     std::ranges::sort(stops);
     stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
-    PointRecorder record(lesson, simulation, stop);
+    PointPath path;
     std::size_t stopped = 0;
     double violation = 0.0;
     const bool done = extrapolate(
@@ -78,14 +174,14 @@ ReferenceWay by_extrapolation(
         [&](const std::vector<double>& y) {
             const double t = stops[stopped++];
             violation = std::max(violation, simulation.equations().violation(t, y.data()).first);
-            if (std::ranges::binary_search(times, t)) { record(y); }
+            if (std::ranges::binary_search(times, t)) { record_place(lesson, simulation, y, stop, path); }
         });
     if (!done) {
         way.failure = "no step is short enough for it";
     } else if (!(violation <= kMetByReference)) {
         way.failure = "it leaves the constraints by " + number_text(violation, 2);
     } else {
-        way.path = std::move(record.path);
+        way.path = std::move(path);
     }
     return way;
 }
@@ -99,13 +195,14 @@ ReferenceWay by_run(
     settings.tolerance = 1e-12;
     settings.most_steps = kMostReferenceSteps;
     Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
-    PointRecorder record(lesson, simulation, stop);
-    const SimulationOutcome outcome =
-        simulation.run(times, [&](double, const std::vector<double>& y) { record(y); });
+    PointPath path;
+    const SimulationOutcome outcome = simulation.run(times, [&](double, const std::vector<double>& y) {
+        record_place(lesson, simulation, y, stop, path);
+    });
     if (outcome.failure) {
         way.failure = "at tolerance 1e-12 " + failure_text(*outcome.failure, settings, lesson.mechanism);
     } else {
-        way.path = std::move(record.path);
+        way.path = std::move(path);
     }
     return way;
 }

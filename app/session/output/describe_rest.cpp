@@ -114,15 +114,12 @@ std::string joints_text(const std::vector<ModeOfJoint>& joints, const Mechanism&
 std::string rate_text(std::complex<double> s) {
     if (s == 0.0) { return tr("neither held nor pushed"); }
     const auto per_e = number_text(1.0 / std::abs(s.real()));
-    if (s.imag() == 0.0) {
-        return s.real() > 0.0 ? tr("grows: a factor of e in {0} s", per_e)
-                              : tr("decays: a factor of e in {0} s", per_e);
-    }
+    const std::string growth = s.real() > 0.0 ? tr("grows: a factor of e in {0} s", per_e)
+                                              : tr("decays: a factor of e in {0} s", per_e);
+    if (s.imag() == 0.0) { return growth; }
     const std::string frequency = tr("{0} Hz", number_text(s.imag() * 0.5 * std::numbers::inv_pi, 6));
     if (std::abs(s.real()) < kTooLittle * s.imag()) { return frequency; }
-    return frequency + ", " +
-           (s.real() > 0.0 ? tr("grows: a factor of e in {0} s", per_e)
-                           : tr("decays: a factor of e in {0} s", per_e));
+    return frequency + ", " + growth;
 }
 
 std::string modes_text(const RestView& view) {

@@ -4,7 +4,6 @@
 
 #include "app/session/answers/question_view.hpp"
 #include "app/session/picture/picture_parts.hpp"
-#include "app/session/story/featured.hpp"
 
 namespace jw {
 

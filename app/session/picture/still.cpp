@@ -7,7 +7,6 @@
 #include "app/session/picture/picture_camera.hpp"
 #include "app/session/picture/picture_parts.hpp"
 #include "app/session/story/dynamics_run.hpp"
-#include "app/session/story/featured.hpp"
 
 namespace jw {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/session/story/story_telling.hpp"
+#include "core/equations/assembler.hpp"
+#include "core/poses/large_rank.hpp"
 
 namespace jw {
 
@@ -11,7 +13,30 @@ namespace {
 // limited because reactions are found by dense matrices
 constexpr std::size_t kMostJointsWithReactions = 30;
 constexpr double kNoMoment = 1e-6;  // far above rounding, which is 1e-13 relative to the forces
+// the vectors and formulas of more than two joints would hide each other
+constexpr std::size_t kMostAtOnce = 2;
+
+bool is_few(const std::vector<int>& joints) { return !joints.empty() && joints.size() <= kMostAtOnce; }
+
+/// Joints without a glyph: only their vectors are visible.
+std::vector<int> bare_joints(const Mechanism& mechanism) {
+    std::vector<int> bare;
+    for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+        if (mechanism.joints[k].type->glyph == JointGlyph::none) { bare.push_back(static_cast<int>(k)); }
+    }
+    return bare;
+}
+
 }  // namespace
+
+std::optional<Addition> subject_of(const Lesson& lesson, const Step& step) {
+    if (step.additions == 0 || step.kind == Step::Kind::motion) { return std::nullopt; }
+    if (step.kind == Step::Kind::question) { return std::nullopt; }
+    const bool of_addition =
+        step.kind != Step::Kind::answer || question_of(lesson, step).place == Question::Place::addition;
+    if (!of_addition) { return std::nullopt; }
+    return lesson.order[static_cast<std::size_t>(step.additions - 1)];
+}
 
 Selection selection_of(const Lesson& lesson, int count) {
     Selection selection;
@@ -68,6 +93,20 @@ int Story::last_assembled() const {
     return index;
 }
 
+std::vector<int> featured_joints(const Story& story) {
+    const Mechanism& mechanism = story.lesson().mechanism;
+    if (story.chosen_joint() >= 0) { return {story.chosen_joint()}; }
+    std::vector<int> bare = bare_joints(mechanism);
+    if (is_few(bare)) { return bare; }
+    std::erase_if(bare, [&](int joint) {
+        return std::ranges::none_of(
+            mechanism.joints[static_cast<std::size_t>(joint)].type->roles, is_parallel);
+    });
+    if (is_few(bare)) { return bare; }
+    if (story.featured_joint() >= 0) { return {story.featured_joint()}; }
+    return {};
+}
+
 bool advance_along(MotionTracker& tracker, const Lesson& lesson, double t, bool& rows_switched) {
     rows_switched = false;
     const auto advance = [&](double next) {
@@ -86,6 +125,38 @@ bool advance_along(MotionTracker& tracker, const Lesson& lesson, double t, bool&
         }
     }
     return advance(t);
+}
+
+RankReport rank_of(const System& system, const State& state, double t, bool spectrum) {
+    Assembler<OmegaLocal> assembler(system);
+    assembler.assemble_phi_and_jacobian(state, t);
+    return analyse_rank_of_any_size(system, assembler.sparse_jacobian(), assembler.phi(), spectrum);
+}
+
+int count_of(const RankReport& report, Count count) {
+    switch (count) {
+        case Count::rank: return report.rank;
+        case Count::rows: return report.rows;
+        case Count::columns: return report.columns;
+        case Count::dof: return report.dof;
+        case Count::redundant: return report.redundant();
+        case Count::mobility_by_counting: break;
+    }
+    return report.mobility_by_counting;
+}
+
+RankReport rank_verdict_of(const System& system, const State& state, double t) {
+    Assembler<OmegaLocal> assembler(system);
+    assembler.assemble_phi_and_jacobian(state, t);
+    return analyse_rank_verdict(system, assembler.sparse_jacobian(), assembler.phi());
+}
+
+RankWhenAsked::RankWhenAsked(std::shared_ptr<const System> system, State state, double t)
+    : pose_(std::make_shared<Pose>(Pose{std::move(system), std::move(state), t, std::nullopt})) {}
+
+const RankReport& RankWhenAsked::operator*() const {
+    if (!pose_->report) { pose_->report = rank_of(*pose_->system, pose_->state, pose_->t); }
+    return *pose_->report;
 }
 
 }  // namespace jw

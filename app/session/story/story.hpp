@@ -177,6 +177,11 @@ private:
     int chosen_joint_ = -1;
 };
 
+/// Joints whose vectors and equations are shown during the motion: the joint that was chosen by hand; else
+/// the one or two joints that consist of vectors alone, n1, n2, p1 and p2 (if there are more, those with a
+/// choice of rows, if these are one or two); else the story's own featured joint. Empty if there is none.
+std::vector<int> featured_joints(const Story& story);
+
 /// Verdict on a pose. @param spectrum true: singular values and free motions of large systems, too, which
 /// takes long
 RankReport rank_of(const System& system, const State& state, double t, bool spectrum = false);

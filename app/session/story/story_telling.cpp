@@ -239,6 +239,30 @@ bool StoryTelling::close_addition(int count) {
     return true;
 }
 
+/// Adds the questions (or the answers) that belong here, at the pose of the last step.
+void StoryTelling::ask(Question::Place place, const Addition* added, Step::Kind kind) {
+    // a story of poses alone has no questions
+    if (!options_.keep_steps) { return; }
+    for (std::size_t k = 0; k < lesson_->questions.size(); ++k) {
+        const Question& question = lesson_->questions[k];
+        const bool here = question.place == place && (added == nullptr || question.addition == *added);
+        if (!here || !applies(question, *lesson_)) { continue; }
+        Step step = told_->steps.back();
+        step.kind = kind;
+        step.question = static_cast<int>(k);
+        step.choices.clear();
+        step.events.clear();
+        step.note.clear();
+        step.rows_switched = step.change_point = false;
+        step.rank_before = nullptr;
+        told_->steps.push_back(std::move(step));
+    }
+}
+
+RankWhenAsked StoryTelling::present_rank() const {
+    return options_.with_ranks ? RankWhenAsked(system_, state_, start_time_) : nullptr;
+}
+
 ToldLesson tell_at_once(std::shared_ptr<const Lesson> lesson, const StoryOptions& options) {
     Story story(*lesson, options);
     return {std::move(lesson), std::move(story)};

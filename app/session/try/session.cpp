@@ -81,12 +81,6 @@ std::string Session::apply(const Experiment& experiment) {
 
 std::string Session::perform(const EditsLesson auto& experiment) { return edit(experiment); }
 
-std::string Session::perform(const Drag& experiment) { return drag(experiment); }
-
-std::string Session::perform(const Release& /*experiment*/) { return release(); }
-
-std::string Session::perform(const ShowFreedom& experiment) { return show_freedom(experiment); }
-
 std::string Session::perform(const LetGo& /*experiment*/) {
     leave_hand();
     return {};
@@ -246,7 +240,7 @@ void Session::changed() {
     cache_->rank.reset();
 }
 
-std::string Session::drag(const Drag& drag) {
+std::string Session::perform(const Drag& drag) {
     const auto bodies = lesson_->mechanism.bodies.size();
     if (drag.body < 0 || static_cast<std::size_t>(drag.body) >= bodies) {
         return tr("there is no such body");
@@ -293,7 +287,7 @@ bool Session::asks_for_pose() const {
            std::holds_alternative<PoseAnswer>(question_of(*lesson_, step).answer);
 }
 
-std::string Session::release() {
+std::string Session::perform(const Release& /*experiment*/) {
     if (!hand_ || asks_for_pose()) { return {}; }
     const std::vector<Experiment> moves = moves_to(hand_->step().state, *lesson_);
     Edit moved = edited(*lesson_, *written_, moves);
@@ -309,7 +303,7 @@ std::string Session::release() {
     return tr("The pose is the new start estimate.");
 }
 
-std::string Session::show_freedom(const ShowFreedom& experiment) {
+std::string Session::perform(const ShowFreedom& experiment) {
     gesture_ = 0;
     if (!hand_) { hand_ = std::make_unique<Hand>(*story_, index_); }
     if (!hand_->follow(experiment.motion, experiment.part)) {

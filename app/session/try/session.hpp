@@ -112,7 +112,7 @@ private:
 
     // one for each experiment, or for each kind of experiments
     std::string perform(const EditsLesson auto& experiment);
-    std::string perform(const Drag& experiment);
+    std::string perform(const Drag& drag);
     std::string perform(const Release& experiment);
     std::string perform(const ShowFreedom& experiment);
     std::string perform(const LetGo& experiment);
@@ -123,10 +123,7 @@ private:
     /// Back to the pose of the step, from the pose that a hand or a free motion led to.
     void leave_hand();
     std::string edit(const Experiment& experiment);
-    std::string drag(const Drag& drag);
     std::string scrub(const Drag& drag);
-    std::string release();
-    std::string show_freedom(const ShowFreedom& experiment);
     std::string step_back_in_history(std::vector<Past>& from, std::vector<Past>& to);
     Past present(std::string what) const;
     void push_past(Past past);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/session/story/featured.hpp"
 #include "app/session/story/sentences.hpp"
 #include "app/session/view/quantities.hpp"
 #include "app/session/view/view_equations.hpp"

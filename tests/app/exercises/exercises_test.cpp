@@ -4,8 +4,8 @@
 #include <set>
 
 #include "app/exercises/check_exercise.hpp"
+#include "app/exercises/formulas/mistakes.hpp"
 #include "app/exercises/kinds.hpp"
-#include "app/exercises/mistakes.hpp"
 #include "app/exercises/random.hpp"
 #include "lessons/exercise/exercise_index.hpp"
 #include "lessons/exercise/for_each_text.hpp"

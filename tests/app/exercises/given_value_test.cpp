@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "app/exercises/given_value.hpp"
+#include "app/exercises/answers/given_value.hpp"
 
 using namespace jw;
 

@@ -8,9 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/exercises/accuracy.hpp"
+#include "app/exercises/answers/read_output.hpp"
 #include "app/exercises/kinds.hpp"
-#include "app/exercises/read_output.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 

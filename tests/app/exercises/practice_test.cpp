@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "app/exercises/practice/practice.hpp"
-#include "app/exercises/practice/starter.hpp"
 #include "app/exercises/starters.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "tests/app/messages/in_language.hpp"

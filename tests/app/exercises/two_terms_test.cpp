@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/exercises/formulas/mistakes.hpp"
 #include "app/exercises/kinds.hpp"
-#include "app/exercises/mistakes.hpp"
 #include "app/exercises/random.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/exercise/read_exercises.hpp"

@@ -151,7 +151,7 @@ Seen try_all(const std::filesystem::path& lesson, bool thorough) {
     person.go_to(std::min(person.session().story().last_assembled(), 6));
     const panels::Box column = person.host().layout().column;
     person.type("2");
-    use_all(person, seen, column, "try it", thorough);
+    use_all(person, seen, column, "try", thorough);
     // these differ from lesson to lesson in what they draw only
     for (const char* const tab : {"1", "3", "4"}) {
         person.type(tab);

@@ -6,7 +6,6 @@
 #include <imgui_internal.h>
 
 #include "app/exercises/kinds.hpp"
-#include "app/host/host_state.hpp"
 #include "app/host/tabs/exercise_labels.hpp"
 #include "app/session/output/json.hpp"
 #include "lessons/files/catalogue.hpp"
@@ -296,7 +295,7 @@ TEST_CASE("Experiments in the window are listed and judged, and undone ones are 
     check();
     CHECK(student.practice().verdict()->judged.mistake == "nothing-done");
     student.person.ask(Command::tab_experiments);
-    const Widget form = find(student.person, "try it", {"joint of try it", 0, "pair of n1 (n2)"});
+    const Widget form = find(student.person, "try", {"joint of try it", 0, "pair of n1 (n2)"});
     student.person.click(form.x, form.y);
     CHECK(
         student.person.host().exercises().work().experiments == std::vector<std::string>{"form hinge pair"});

@@ -15,7 +15,7 @@ using host::Command;
 using host::Key;
 
 constexpr const char* kFourBar = "loops/four-bar.toml";
-constexpr const char* kTry = "try it";
+constexpr const char* kTry = "try";
 
 int joint_of(const Person& person, const std::string& name) {
     const auto& joints = person.session().lesson().mechanism.joints;

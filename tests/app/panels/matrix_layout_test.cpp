@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/panels/column/matrix_panel.hpp"
+#include "app/panels/column/panels.hpp"
 #include "tests/app/panels/support.hpp"
 #include "tests/app/panels/views.hpp"
 

@@ -123,7 +123,8 @@ TEST_CASE("a plot stays in its box and its texts apart, whatever is plotted", "[
                 surface.clear();
                 PlotState state;
                 state.cursor = cursor;
-                const PlotLayout layout = plot(surface.canvas(), box, set, state);
+                const PlotLayout layout = layout_plot(surface.canvas(), box, set, state);
+                draw_plot(surface.canvas(), layout, set, state);
                 CHECK(with_fringe(box).contains(surface.drawn()));
                 const std::vector<Box> texts = texts_of(layout);
                 for (std::size_t a = 0; a < texts.size(); ++a) {

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "app/snapshot/fact_changes.hpp"
-#include "app/snapshot/fact_list.hpp"
+#include "app/snapshot/facts/fact_changes.hpp"
+#include "app/snapshot/facts/fact_list.hpp"
 
 namespace jw::snapshot {
 namespace {

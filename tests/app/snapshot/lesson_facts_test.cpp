@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/snapshot/fact_changes.hpp"
+#include "app/snapshot/facts/fact_changes.hpp"
 #include "lessons/read/reader.hpp"
 #include "tests/app/program.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "app/snapshot/facts_file.hpp"
+#include "app/snapshot/facts/facts_file.hpp"
 #include "tests/app/program.hpp"
 
 namespace jw::snapshot {

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "app/panels/parts/parts.hpp"
+#include "app/session/view/view.hpp"
+
+/// The panels of the column. Each returns the height that it has used.
+namespace jw::panels {
+
+/// The equations as on paper, with the value of every component: a filled square for a kept one, a hollow
+/// square with a grey value for one that is left out, a hatched square for a redundant one.
+float equations_panel(
+    const Canvas& canvas, const Box& box, const std::vector<EquationGroup>& equations, Density density);
+
+/// Which of three equations are kept, and why, in three columns under the components: the size of each
+/// component of s, and the condition of the other two equations.
+float choice_table(const Canvas& canvas, const Box& box, const ChoiceView& choice, Density density);
+
+/// Φq as a coloured matrix: blue below 0, orange above 0, blank for 0. The rows of the step are highlighted;
+/// redundant rows are hatched and marked "=".
+float matrix_panel(const Canvas& canvas, const Box& box, const MatrixView& matrix);
+/// @param cell  height of a row, at 720
+float matrix_panel_height(const Canvas& canvas, const MatrixView& matrix, float cell);
+/// Colour of an entry; `largest` is the largest size in the matrix. The colour depends on the square root of
+/// the size, so that a tenth of the largest is still visible.
+Colour colour_of_entry(double value, double largest);
+
+/// Newton-Raphson, one line per iteration. The last one is that of the step, and is highlighted. Earlier ones
+/// are left out if there is not enough room.
+float newton_panel(const Canvas& canvas, const Box& box, const View& view, Density density);
+
+/// Rank, rows, columns, freedoms, redundant rows and Grübler's count in large figures.
+float rank_figures(const Canvas& canvas, const Box& box, const View& view, Density density);
+/// In words: which equations imply a redundant one, the free motions, and warnings.
+float rank_words(const Canvas& canvas, const Box& box, const View& view, Density density);
+/// Only the warnings: not assembled, nearly singular.
+float rank_warnings(const Canvas& canvas, const Box& box, const View& view, Density density);
+
+/// Angles and displacements of joints with their rates; driven ones are marked.
+float quantities_panel(const Canvas& canvas, const Box& box, const View& view, Density density);
+/// r, ṙ and ω of every body, in columns of constant width; accelerations too if there is room.
+float bodies_motion_panel(const Canvas& canvas, const Box& box, const View& view, Density density);
+/// r and p of every body: the start of the free bodies.
+float coordinates_panel(const Canvas& canvas, const Box& box, const View& view, Density density);
+/// The equations of motion of slide 24 with their numbers: M and Q of each body, λ of each joint, energies
+/// and momenta.
+float dynamics_panel(const Canvas& canvas, const Box& box, const View& view, Density density);
+
+// ---- small plots over powers of ten, without names of curves, and without actions of the mouse
+// -------------
+
+/// Singular values, largest first: those below the threshold count as zero, and are hollow.
+void singular_values_plot(const Canvas& canvas, const Box& box, const RankView& rank);
+/// ‖Φ‖ of every iteration; the last one is that of the step.
+void convergence_plot(const Canvas& canvas, const Box& box, const std::vector<NewtonRow>& rows);
+
+}  // namespace jw::panels
