@@ -80,6 +80,13 @@ const KindOfExercise& kind_of(ExerciseKind kind) {
     throw std::invalid_argument("a kind of exercise without an entry");
 }
 
+MatrixX in_shape_of(const MatrixX& right, const MatrixX& given) {
+    const bool both_vectors =
+        std::min(right.rows(), right.cols()) == 1 && std::min(given.rows(), given.cols()) == 1;
+    const bool turned = given.rows() == right.cols() && given.cols() == right.rows();
+    return both_vectors && turned ? MatrixX(given.transpose()) : given;
+}
+
 std::string accuracy_text(const Task& task) {
     constexpr std::array kWords{
         "",

@@ -190,7 +190,7 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
     const BenchPlan plan = plan_of(options);
     const std::vector<std::filesystem::path> files = files_of(options.scenes);
     if (!options.picture.empty() && files.size() != 1) {
-        throw bad_input("--picture draws one scene; name one\nhint: jointwise bench --help");
+        throw bad_option("bench", "--picture draws one scene; name one");
     }
     if (!options.picture.empty()) { check_output("--picture", options.picture, read_with(files)); }
     Json scenes = Json::array();

@@ -219,13 +219,6 @@ std::string written(const MatrixX& value, int digits) {
     return text + "]";
 }
 
-MatrixX in_shape_of(const MatrixX& right, const MatrixX& given) {
-    const bool both_vectors =
-        std::min(right.rows(), right.cols()) == 1 && std::min(given.rows(), given.cols()) == 1;
-    const bool turned = given.rows() == right.cols() && given.cols() == right.rows();
-    return both_vectors && turned ? MatrixX(given.transpose()) : given;
-}
-
 Handed right_value(const Task& task) { return {written(task.asked.right), {}}; }
 
 std::vector<HandedMistake> mistaken_values(const Task& task) {

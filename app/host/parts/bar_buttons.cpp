@@ -65,8 +65,13 @@ float needed_width(RowButton button, float height) {
         case RowButton::motion: return width_of_label(tr("Motion"));
         case RowButton::lessons: return width_of_label(tr("Lessons"));
         case RowButton::menu: return std::max(height, width_of_label(tr("Menu")));
-        default: return height;
+        case RowButton::first:
+        case RowButton::back:
+        case RowButton::next:
+        case RowButton::speed:
+        case RowButton::help: break;
     }
+    return height;
 }
 
 std::vector<RowButton> shown_in_row(bool steps, int given_up) {

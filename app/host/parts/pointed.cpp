@@ -66,8 +66,13 @@ std::string tip_of_link(const Session& session, const Pointable& link) {
                 "fixed in body {0}: {1}", link.part == Pointable::kVectorI ? "i" : "j",
                 mechanism.bodies[static_cast<std::size_t>(body)].name);
         }
-        default: return {};
+        case Pointable::Kind::none:
+        case Pointable::Kind::symbol:
+        case Pointable::Kind::equation:
+        case Pointable::Kind::row:
+        case Pointable::Kind::column: break;
     }
+    return {};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "app/host/tabs/exercise_labels.hpp"
 
+#include "app/exercises/kinds.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/shown_lesson.hpp"
@@ -81,7 +82,7 @@ std::string title_of(const Judged& judged) {
 bool is_file(ExerciseKind kind) { return kind == ExerciseKind::repair || kind == ExerciseKind::build; }
 
 bool is_of_numbers(ExerciseKind kind) {
-    return !is_file(kind) && kind != ExerciseKind::code && kind != ExerciseKind::experiment;
+    return is_measured(kind) || kind == ExerciseKind::choose || kind == ExerciseKind::order;
 }
 
 }  // namespace jw::host

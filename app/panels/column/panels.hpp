@@ -13,8 +13,8 @@ namespace jw::panels {
 float equations_panel(
     const Canvas& canvas, const Box& box, const std::vector<EquationGroup>& equations, Density density);
 
-/// Which of three equations are kept, and why, in three columns under the components: the size of each
-/// component of s, and the condition of the other two equations.
+/// Reasons for the choice of rows, in three columns under the components: the size of each component of s,
+/// and the condition number of the two equations without it.
 float choice_table(const Canvas& canvas, const Box& box, const ChoiceView& choice, Density density);
 
 /// Φq as a coloured matrix: blue below 0, orange above 0, blank for 0. The rows of the step are highlighted;

@@ -38,7 +38,7 @@ inline constexpr double kMostOfTolerance = 100.0;
 /// nothing. "crank · r · x: 1e+09 m may differ, of 1e-06 m"
 std::vector<std::string> loose_tolerances(const std::vector<Fact>& before, const std::vector<Fact>& after);
 
-/// What has changed by more than the tolerances of `before`, most important first.
+/// Facts that differ by more than the tolerances of `before`, most important first.
 std::vector<FactChange> changes_of(const std::vector<Fact>& before, const std::vector<Fact>& after);
 
 /// True if two texts say the same: their numbers may differ by one in the last printed digit, and numbers

@@ -7,8 +7,8 @@
 #include "app/session/picture/picture.hpp"
 #include "app/session/view/view.hpp"
 
-/// What a step shows, as a list of named texts and numbers: the first layer of a snapshot. It needs no
-/// pixels, so a change is named instead of seen.
+/// Facts: named texts and numbers that a step shows, the first layer of a snapshot. They need no pixels, so a
+/// change is named instead of seen.
 namespace jw::snapshot {
 
 /// How much it matters when a fact changes; reports begin with the first.
@@ -57,7 +57,7 @@ std::vector<Fact> facts_of(const render::Camera& camera);
 /// A number with as many decimals as its tolerance justifies: "0.25", "-1.732051".
 std::string short_decimal(const Fact& fact);
 
-/// What the numbers of a lesson are compared with.
+/// Natural sizes of a lesson, with which its numbers are compared.
 struct NaturalScale {
     double length = 1.0;    ///< size of the mechanism [m]
     double duration = 1.0;  ///< of the motion [s]; 1 where nothing moves
