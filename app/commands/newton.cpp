@@ -100,8 +100,7 @@ void add_newton(CLI::App& app, const Streams& streams, Run& run) {
         ->check(CLI::IsMember(words_of(kNewtonMethods)))
         ->capture_default_str();
     command->add_flag(
-        "--without-normalisation", options->without_normalisation,
-        "leave out the rows p'p - 1 of the (r, p) choices");
+        "--without-normalisation", options->without_normalisation, "leave out the rows p'p - 1 in (r, p)");
     add_format_option(*command, options->format, {"text", "json", "csv"});
     command->footer("Example: jointwise newton lessons/catalogue/hard/anti-parallel.toml --compare methods");
     sets_run(*command, run, streams, options, newton);

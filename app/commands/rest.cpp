@@ -42,7 +42,7 @@ Exit rest_command(const RestOptions& options, const Streams& streams) {
 
 void add_rest(CLI::App& app, const Streams& streams, Run& run) {
     CLI::App* command = app.add_subcommand(
-        "rest", "find the equilibrium under masses and forces, what holds it, and small motions about it");
+        "rest", "find the equilibrium under masses and forces, its reactions, and small motions about it");
     auto options = std::make_shared<RestOptions>();
     add_lesson_options(*command, options->file, options->experiments, "lesson file with [dynamics]");
     add_value(

@@ -71,7 +71,7 @@ void warn_of_residuals(const Sweep& sweep, Analysis analysis, const Streams& str
             if (found.holds() || row.change_point || !row.consistent) { continue; }
             streams.err << "jointwise: warning: at t = " << number_text(row.values.front()) << " s " << what
                         << " violate their equations by " << small_text(found.residual)
-                        << ", of which rounding explains " << small_text(found.bound) << '\n';
+                        << "; rounding explains only " << small_text(found.bound) << '\n';
             return;
         }
     };
@@ -86,7 +86,7 @@ void warn_of_crossings(const Sweep& sweep, const Streams& streams) {
     const std::size_t count = sweep.crossings.size();
     for (std::size_t k = 0; k < std::min(most, count); ++k) {
         streams.err << "jointwise: warning: at t = " << number_text(sweep.crossings[k], 6)
-                    << " s the motion passes a change point, or comes very near one, and goes on along its "
+                    << " s the motion passes a change point, or comes very near one, and continues along its "
                        "tangent; that this is its branch is not proved\n";
     }
     if (count > most) {

@@ -13,7 +13,7 @@ namespace jw {
 /// A mistake with the answer that it leads to.
 struct KnownMistake {
     std::string name;  ///< "local-for-global"
-    /// "components of the body for global ones"; several if other mistakes give the same answer
+    /// "body components used for global ones"; several if other mistakes give the same answer
     std::vector<Message> titles;
     Message says;       ///< feedback, one or two sentences
     std::string slide;  ///< in English, may be empty

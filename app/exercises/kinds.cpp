@@ -72,8 +72,8 @@ const KindOfExercise& kind_of(ExerciseKind kind) {
             mistaken_builds, judge_build, ".toml"},
         KindOfExercise{
             ExerciseKind::experiment,
-            tr_later("Write the list of experiments, as after 'jointwise try --try'."), right_experiment,
-            mistaken_experiments, judge_experiment, ""}};
+            tr_later("Write the list of experiments in the form that 'jointwise try --try' takes."),
+            right_experiment, mistaken_experiments, judge_experiment, ""}};
     for (const KindOfExercise& entry : kKinds) {
         if (entry.kind == kind) { return entry; }
     }

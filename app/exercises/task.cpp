@@ -126,15 +126,14 @@ void show_items(Task& task, Random& random) {
         std::swap(swapped[k], swapped[k + 1]);
         add_mistake(
             task, "order-" + std::to_string(k + 1), {tr_later("two neighbours exchanged"), {}},
-            {tr_later("Two neighbours are exchanged: \"{0}\" comes before \"{1}\"."),
+            {tr_later("Two neighbours are exchanged: \"{0}\" must come before \"{1}\"."),
              {items[k], items[k + 1]}},
             numbers_in_order(task, swapped));
     }
     std::ranges::reverse(order);
     add_mistake(
         task, "reversed", {tr_later("the order reversed"), {}},
-        {tr_later("This is the right order from its end to its beginning."), {}},
-        numbers_in_order(task, order));
+        {tr_later("This is the right order, but reversed."), {}}, numbers_in_order(task, order));
 }
 
 /// A name in the list of mistakes to look for that is not the name of any; empty if all are known.

@@ -227,7 +227,7 @@ void Host::show_symbol(int by) {
 
 void Host::play_motion() {
     const std::optional<int> first = first_moment(session_->story());
-    if (!first) { return say(tr("Nothing moves in this lesson: it ends when everything is put together.")); }
+    if (!first) { return say(tr("This lesson has no motion: it ends when the mechanism is assembled.")); }
     go_to(*first);
     state_.playback.play();
 }
@@ -284,7 +284,7 @@ void Host::show_or_leave_browser() {
 
 void Host::next_freedom() {
     const auto count = static_cast<int>(session_->rank().free_motions.size());
-    if (count == 0) { return say(tr("Nothing is free here: there is no motion to follow.")); }
+    if (count == 0) { return say(tr("No freedom is left here: there is no free motion to follow.")); }
     state_.playback.follow((state_.playback.freedom() + 1) % count);
     apply(LetGo{});
 }

@@ -115,7 +115,8 @@ void Host::draw_figure(const Ui& ui) {
     view.lesson_title = session_->lesson().title;
     view.title = desk_.practice().exercise()->title;
     view.source = desk_.practice().exercise()->source;
-    view.sentence = tr("The scene of the exercise. It can be turned; what is asked cannot be read off it.");
+    view.sentence =
+        tr("This is the scene of the exercise. You can turn it, but the answer cannot be read from it.");
     panels::draw_title(ui.canvas, layout_.title, view);
     panels::draw_caption(ui.canvas, layout_.caption, view);
 }

@@ -131,7 +131,7 @@ inline constexpr std::array kCodes{
     CodeEntry{Code::nothing_moves, "JW408", "No body moves"},
     CodeEntry{Code::moving_ground, "JW409", "The ground does not move"},
     CodeEntry{Code::camera_along_up, "JW410", "The camera looks along 'up'"},
-    CodeEntry{Code::loose_body, "JW411", "Nothing holds a body"},
+    CodeEntry{Code::loose_body, "JW411", "Nothing constrains a body"},
     CodeEntry{Code::typed_digits, "JW412", "The last digits of numbers decide the rank"},
 
     CodeEntry{Code::no_such_freedom, "JW501", "A joint has no such freedom"},

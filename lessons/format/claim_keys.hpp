@@ -87,7 +87,7 @@ inline constexpr std::array kStep{
 
 inline constexpr std::array kTrial{
     required({"text", KeyKind::words, "what to try, and what to look at"}),
-    required(counted("do", KeyKind::texts, "experiments, as after --try", 1, 20)),
+    required(counted("do", KeyKind::texts, "experiments in the form that --try takes", 1, 20)),
     Key{"breaks", KeyKind::flag, "the scene does not survive it, on purpose"}};
 
 inline constexpr std::array kClaimTables{

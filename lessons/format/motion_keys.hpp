@@ -103,7 +103,7 @@ inline constexpr std::array kValuesOfDriver = joined(
     std::array{spelled({"values", KeyKind::numbers, "one angle for each time"}, Spelling::angle)});
 
 inline constexpr std::array kMotion{
-    Key{"from_s", KeyKind::number, "time at which everything is put together; default 0"},
+    Key{"from_s", KeyKind::number, "time at which the mechanism is assembled; default 0"},
     required({"to_s", KeyKind::number, "time at which it ends"}, "the time at which the motion ends"),
     Key{"duration_s", KeyKind::positive, "how long it takes on the screen"},
     counted("steps", KeyKind::whole_number, "equal intervals that are solved", 1, kMostIntervals)};

@@ -76,7 +76,7 @@ inline constexpr std::array kParallelForms{
     EnumWord<ParallelForm>{ParallelForm::pair, "pair", tr_later("pair of n1 (n2)")}};
 
 inline constexpr std::array kAngleRows{
-    EnumWord<ScrewAngleForm>{ScrewAngleForm::rotation, "rotation", tr_later("sound row")},
+    EnumWord<ScrewAngleForm>{ScrewAngleForm::rotation, "rotation", tr_later("rotation row")},
     EnumWord<ScrewAngleForm>{ScrewAngleForm::cosine, "cosine", tr_later("cos row")},
     EnumWord<ScrewAngleForm>{ScrewAngleForm::sine, "sine", tr_later("sin row")}};
 

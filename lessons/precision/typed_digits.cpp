@@ -14,11 +14,12 @@ void tell(
     const std::string ranks =
         "the numbers as typed give rank " + std::to_string(verdict.rank_as_typed) + ", others ";
     const std::string meant = "rank " + std::to_string(verdict.rank);
-    const std::string message = verdict.is_told ? ranks + "within " + short_number(verdict.share, 2) +
-                                                      " of half a unit of their last digits give " + meant +
-                                                      " and a motion of finite length; these are used"
-                                                : ranks + "that differ in their last digits may give " +
-                                                      meant + "; which of both is meant cannot be told";
+    const std::string message = verdict.is_told
+                                    ? ranks + "that differ by at most " + short_number(verdict.share, 2) +
+                                          " half units of the last digit give " + meant +
+                                          " and a motion of finite length; these are used"
+                                    : ranks + "that differ in their last digits may give " + meant +
+                                          "; it is not known which of both is meant";
     problems.warn(
         Code::typed_digits, short_of_digits.span.line > 0 ? short_of_digits.span : last, message,
         "give " + short_of_digits.value +

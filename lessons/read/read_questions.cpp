@@ -219,7 +219,7 @@ void read_trial(Fields& fields, Lesson& lesson) {
     fields.require("text", "what to try, and what to look at");
     if (const auto text = fields.words("text")) { trial.text = text->value; }
     trial.text.drop_line_feeds();
-    fields.require("do", "a list of experiments, as after --try");
+    fields.require("do", "a list of experiments in the form that --try takes");
     if (const auto actions = fields.texts("do")) {
         if (actions->value.empty() || actions->value.size() > kMostActions) {
             fields.problems().add(

@@ -166,7 +166,7 @@ bool exists(Fields& fields, const TimeFormula& formula, const ValueKeys& keys, d
     fields.problems().add(
         Code::unreadable_formula, fields.span(key),
         "the formula of " + fields.what() +
-            " has no value, rate and acceleration at t = " + short_number(*gap) +
+            " has no value, rate or acceleration at t = " + short_number(*gap) +
             " s; expected a smooth formula from " + short_number(from) + " to " + short_number(to) + " s");
     return false;
 }

@@ -41,7 +41,7 @@ bool read_format(Fields& root, const toml::table& table) {
     return true;
 }
 
-/// A moving body that nothing holds or drives is rarely intended, unless masses and forces move it.
+/// A moving body that nothing constrains or drives is rarely intended, unless masses and forces move it.
 void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
     if (read.lesson.dynamics) { return; }
     const Mechanism& mechanism = read.lesson.mechanism;
@@ -59,8 +59,8 @@ void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
         const auto named = read.names.find(body.name);
         if (held[b] || body.fixed || named == read.names.end()) { continue; }
         problems.warn(
-            Code::loose_body, named->second.span, "no joint and no driver holds body " + in_quotes(body.name),
-            "it keeps six freedoms");
+            Code::loose_body, named->second.span,
+            "no joint and no driver constrains body " + in_quotes(body.name), "it keeps six freedoms");
     }
 }
 

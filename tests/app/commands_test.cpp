@@ -241,8 +241,8 @@ TEST_CASE("a time far outside the motion is said to be that, and how far it went
     CHECK(far.status == 3);
     CHECK_THAT(
         far.err,
-        Catch::Contains(": t = 1e+08 s lies far outside the lesson's motion, which goes from 0 s to 4 s. It "
-                        "could be followed as far as "));
+        Catch::Contains(": t = 1e+08 s lies far outside the lesson's motion, which goes from 0 s to 4 s. The "
+                        "motion can be followed as far as "));
     // up to a motion's length outside it goes on as within
     CHECK(run({"inspect", file, "--time", "7.9"}).status == 0);
 }

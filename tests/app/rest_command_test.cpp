@@ -68,7 +68,7 @@ axis = [0, -1, 0]
 
 }  // namespace
 
-TEST_CASE("rest tells where a pendulum hangs, what holds it, and how it swings", "[app][rest]") {
+TEST_CASE("rest tells where a pendulum hangs, its reactions, and how it swings", "[app][rest]") {
     const Json rest = rest_of({kPendulum});
     CHECK(rest["stability"] == "stable");
     CHECK(rest["conservative"] == true);
@@ -106,7 +106,7 @@ TEST_CASE("rest finds an unstable equilibrium only where it is asked for, or sta
     CHECK(rest_of({kPendulum, "--nearest"})["failure"].is_null());
     const std::string loop = lesson_path("dynamics/four-bar-1.toml");
     CHECK(rest_of({loop})["stability"] == "unstable");
-    CHECK_THAT(run({"rest", loop}).out, Catch::Contains("It starts exactly there"));
+    CHECK_THAT(run({"rest", loop}).out, Catch::Contains("The mechanism starts exactly there"));
 }
 
 TEST_CASE("rest says what still moves where there is no equilibrium, and what is missing", "[app][rest]") {
@@ -121,7 +121,7 @@ TEST_CASE("rest says what still moves where there is no equilibrium, and what is
     CHECK_THAT(kinematics.err, Catch::Contains("no [dynamics]"));
 }
 
-TEST_CASE("Claims at rest are judged at the equilibrium, with what holds it", "[app][rest]") {
+TEST_CASE("Claims at rest are judged at the equilibrium, with its reactions", "[app][rest]") {
     const Folder folder;
     const auto checked = [&](const std::string& lesson, const std::string& claim,
                              const std::string& experiment) {
@@ -153,7 +153,7 @@ TEST_CASE("Claims at rest are judged at the equilibrium, with what holds it", "[
 
     const Ran falls = checked(kFalling, "stable = true\n", "");
     CHECK(falls.status == 1);
-    CHECK_THAT(falls.err + falls.out, Catch::Contains("Nothing holds the mechanism"));
+    CHECK_THAT(falls.err + falls.out, Catch::Contains("nothing resists them"));
 }
 
 TEST_CASE("At rest drivers stand as at t = 0, and angles are those of the pose", "[app][rest]") {

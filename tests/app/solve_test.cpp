@@ -152,8 +152,8 @@ TEST_CASE("solve names both drivers that contradict each other, when, and by how
     };
     // the crank is driven with 90 deg/s from 0: at first the angles agree to what Newton cannot tell apart
     for (const Case& c :
-         {Case{"[0, 91]", "other asks for 9.1° where"}, Case{"[0, 90, 1]", "contradict each other at t = "},
-          Case{"[5, 90]", "other asks for 5° where"}}) {
+         {Case{"[0, 91]", "other asks for 9.1°, but"}, Case{"[0, 90, 1]", "contradict each other at t = "},
+          Case{"[5, 90]", "other asks for 5°, but"}}) {
         CAPTURE(c.function);
         const std::string file = folder.file("two.toml", with_second(c.function));
         const Ran ran = run({"solve", file, "--to", "0.5", "--step", "0.1"});
@@ -166,7 +166,7 @@ TEST_CASE("solve names both drivers that contradict each other, when, and by how
     const std::string file = folder.file("two.toml", with_second("[0, 91]"));
     const Ran ran = run({"solve", file, "--analysis", "velocity", "--to", "0.5", "--step", "0.1"});
     INFO(ran.err);
-    CHECK(ran.err.find("asks for another rate: 91 deg/s instead of 90 deg/s") != std::string::npos);
+    CHECK(ran.err.find("requires another rate: 91 deg/s instead of 90 deg/s") != std::string::npos);
 }
 
 TEST_CASE("An angle has the same turns in every command and claim", "[app][solve]") {

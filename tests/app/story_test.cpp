@@ -166,7 +166,7 @@ TEST_CASE("a view says so exactly where the choice of rows has changed", "[app][
     CHECK(switches == 3);
 }
 
-TEST_CASE("a lesson without motion ends when everything is put together", "[app][story]") {
+TEST_CASE("a lesson without motion ends when the mechanism is assembled", "[app][story]") {
     const Folder folder;
     const std::string text(kCrank);
     const ReadResult read = read_lesson(text.substr(0, text.find("[motion]")), "crank.toml");

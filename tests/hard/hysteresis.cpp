@@ -79,8 +79,8 @@ Result axis_at_the_diagonal() {
         "the three components have the same size, so in every pose rounding decides again which is the "
         "largest. Every switch changes the equations, the multipliers and the layout.";
     result.ours =
-        "the choice is kept until the dropped component is below 0.8 of the largest. The condition number "
-        "can then reach √3 / 0.8 instead of √3.";
+        "the choice is kept until the component that is left out is below 0.8 of the largest. The condition "
+        "number can then reach √3 / 0.8 instead of √3.";
     // two in three of 20000 random samples choose another component than the one before
     result.measurements.push_back(of_both(
         "switches in 20000 poses at (1, 1, 1) ± 1e-12", double(noise.naive), at_least(10000.0),

@@ -37,7 +37,7 @@ Lesson falling_bricard() {
     DynamicScene scene(
         "Bricard's linkage falls", kLibrary + "A04; Bricard 1897",
         R"(Five rods of 1 kg and the ground, edges of a cube: six hinges, thirty equations for thirty freedoms, and yet it
-falls. One equation is redundant, but no particular one: a method that drops one for good may divide by zero
+falls. One equation is redundant, but no particular one: a method that leaves one out for good may divide by zero
 later.)");
     const std::array<Vec3, 6> points{Vec3(0, 0, 0),  Vec3(1, 0, 0),  Vec3(1, -1, 0),
                                      Vec3(1, -1, 1), Vec3(0, -1, 1), Vec3(0, 0, 1)};

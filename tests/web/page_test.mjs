@@ -159,7 +159,7 @@ test("A reader of the screen is told exercises and verdicts, and of them what is
     const said = await v.tab.evaluate(() => window.said);
     equal(said.map((line) => line.slice(0, 10)), ["Chosen: 2."], "what is said when the next exercise is chosen");
     await v.tab.evaluate(() => { location.hash = "newton-raphson?exercise=rocker-angle"; });
-    await told("Type it, Enter checks it.");
+    await told("Type the answer; Enter checks it.");
     await v.type("7");
     await v.tab.keyboard.press("Enter");
     await told("In the field: 7");

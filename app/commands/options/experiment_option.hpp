@@ -36,7 +36,7 @@ std::vector<std::string> carry_out_all(Session& session, const std::vector<std::
 ChangedLesson lesson_of(
     const std::filesystem::path& path, const std::vector<std::string>& experiments, const Streams& streams);
 
-/// One line each, "tried: hinge: drop x"; empty if nothing was done.
+/// One line each, "tried: hinge: without x"; empty if nothing was done.
 std::string done_text(const std::vector<std::string>& done);
 /// Adds the key "tried" if something was done.
 void add_done(Json& json, const std::vector<std::string>& done);

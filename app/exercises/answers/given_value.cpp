@@ -62,7 +62,7 @@ private:
     [[noreturn]] void fail(const std::string& expected) const {
         const std::string_view rest = std::string_view(text_).substr(std::min(at_, text_.size()));
         throw NotRead(
-            rest.empty() ? tr("cannot read the end; expected {0}", expected)
+            rest.empty() ? tr("the answer ends too early; expected {0}", expected)
                          : tr("cannot read {0}; expected {1}", in_quotes(rest), expected));
     }
 
@@ -134,7 +134,7 @@ private:
             if (++entries_ > kMostEntries) { fail(tr("at most {0} numbers", kMostEntries)); }
             skip();
             if (is_letter(peek()) && !starts_word()) {
-                fail(tr("a comma or the closing bracket; a unit stands once, behind the list"));
+                fail(tr("a comma or the closing bracket; write the unit once, after the list"));
             }
             if (take(',')) { continue; }
             if (take(';')) { rows.emplace_back(); }
@@ -326,7 +326,7 @@ double factor_between(std::string_view given, std::string_view asked) {
     const std::optional<WrittenUnit> wanted = read_unit(asked);
     if (!unit) {
         throw NotRead(
-            asked.empty() ? tr("cannot read {0}; expected nothing behind the numbers", in_quotes(given))
+            asked.empty() ? tr("cannot read {0}; expected nothing after the numbers", in_quotes(given))
                           : tr("cannot read {0}; expected the unit {1}", in_quotes(given), asked));
     }
     if (given.empty()) { return 1.0; }

@@ -130,13 +130,13 @@ std::string entry_text(double entry, int digits) {
 std::string told_answer(const std::string& state, const MatrixX& right, const MatrixX& given) {
     if (given.size() == 0) {
         return tr(
-            "In {0} it is neither a number nor a list of numbers nor a list of rows of the same length; "
+            "In {0} the answer is not a number, a list of numbers or a list of rows of the same length; "
             "expected {1} × {2} numbers.",
             state, right.rows(), right.cols());
     }
     if (given.rows() != right.rows() || given.cols() != right.cols()) {
         return tr(
-            "In {0} it has {1} × {2} numbers; expected {3} × {4}.", state, given.rows(), given.cols(),
+            "In {0} the answer has {1} × {2} numbers; expected {3} × {4}.", state, given.rows(), given.cols(),
             right.rows(), right.cols());
     }
     const double size = std::max(1.0, right.cwiseAbs().maxCoeff());
@@ -155,8 +155,8 @@ std::string told_answer(const std::string& state, const MatrixX& right, const Ma
         }
     }
     return wrong > kMostEntriesTold
-               ? tr("In {0} {1}; and {2} more.", state, entries, wrong - kMostEntriesTold)
-               : tr("In {0} {1}.", state, entries);
+               ? tr("In {0}: {1}; and {2} more.", state, entries, wrong - kMostEntriesTold)
+               : tr("In {0}: {1}.", state, entries);
 }
 
 std::string state_of(const std::vector<CodeCase>& cases, std::size_t k) {
@@ -170,10 +170,10 @@ void tell_missing_values(
     const auto count = static_cast<int>(std::ranges::count_if(given, is_without_value));
     judged.feedback.push_back(tr_count(
         count,
-        "{0} answer has NaN or infinity, the first in {1}: mind divisions by zero, and roots and arc cosines "
-        "of numbers that rounding put out of their range.",
-        "{0} answers have NaN or infinity, the first in {1}: mind divisions by zero, and roots and arc "
-        "cosines of numbers that rounding put out of their range.",
+        "{0} answer has NaN or infinity, the first in {1}: check divisions by zero, and roots and arc "
+        "cosines of numbers that rounding moved out of range.",
+        "{0} answers have NaN or infinity, the first in {1}: check divisions by zero, and roots and arc "
+        "cosines of numbers that rounding moved out of range.",
         state_of(cases, static_cast<std::size_t>(first - given.begin()))));
 }
 
@@ -219,12 +219,12 @@ void tell_cases(const std::vector<CodeCase>& cases, const std::vector<MatrixX>& 
     judged.right = right == count;
     judged.share = judged.right ? 1.0 : kWorthOfCases * right / count;
     if (judged.right) { return; }
-    judged.feedback.push_back(tr("{0} of {1} states are right.", right, count));
+    judged.feedback.push_back(tr("{0} of {1} cases are right.", right, count));
     if (first == nullptr) { return; }
     judged.feedback.push_back(told_answer(state_of(cases, at), first->asked.right, given[at]));
     tell_missing_values(cases, given, judged);
     if (wrong_and_random == 0 && given.size() == cases.size()) {
-        judged.feedback.emplace_back(tr("Only special states are wrong: check limits and divisions."));
+        judged.feedback.emplace_back(tr("Only special cases are wrong: check limits and divisions."));
     }
 }
 
@@ -296,8 +296,8 @@ std::string judging_of_programs(const Task& task) {
     std::string special;
     for (const char* state : kHardStates) { special = with_next(special, tr(state)); }
     return tr(
-        "It is tried in {0} states, the first ones special ({1}). Each entry has to agree with the formula "
-        "within {2} of the largest one.",
+        "It is tested in {0} cases, of which the first are special ({1}). The error of an entry may be at "
+        "most {2} times the largest entry.",
         cases_of(task, KnownMistakes::left_out).size(), special, number_text(kTolerance, 1));
 }
 

@@ -29,9 +29,9 @@ std::string expected_of(const Exercise& exercise) {
 /// Feedback on a claim that does not hold.
 std::string not_reached(const ClaimResult& result) {
     const std::string told = result.failure.empty()
-                                 ? tr("Not reached: {0} {1} is {2}, expected {3}.", result.subject,
+                                 ? tr("Not reached: {0}, {1}, is {2}; expected {3}.", result.subject,
                                       result.moment, result.found, result.expected)
-                                 : tr("Not reached {0}: {1}", result.moment, result.failure);
+                                 : tr("Not reached, {0}: {1}", result.moment, result.failure);
     return followed(told, result.why);
 }
 
@@ -78,8 +78,9 @@ void judge_claims(
         const ReadResult alone = read_lesson_with_claims(file, name, "");
         judged = not_understood(
             alone.lesson
-                ? tr("What is asked for cannot be found in the file: {0}.", read.diagnostics.front().message)
-                : tr("The file is no lesson: {0}", to_string(alone.diagnostics.front(), alone.source)));
+                ? tr("The file does not contain what the exercise asks for: {0}.",
+                     read.diagnostics.front().message)
+                : tr("The file is not a lesson: {0}", to_string(alone.diagnostics.front(), alone.source)));
         return;
     }
     const std::vector<ClaimResult> results = check_claims(*read.lesson);

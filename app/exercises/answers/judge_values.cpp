@@ -105,7 +105,7 @@ void tell_entries(const Asked& asked, const MatrixX& given, Judged& judged) {
             if (++wrong <= 12) { places += (wrong > 1 ? ", " : "") + name_of_entry(given, r, c); }
         }
     }
-    judged.feedback.push_back(tr("{0} of {1} entries differ: {2}.", wrong, given.size(), places));
+    judged.feedback.push_back(tr("{0} of {1} entries are wrong: {2}.", wrong, given.size(), places));
     if (nonzero > 0) { judged.share = kWorthOfEntries * right_and_nonzero / nonzero; }
 }
 
@@ -246,7 +246,8 @@ Judged judge_value(const Task& task, const Handed& handed) {
             return not_understood(tr("You wrote {0}; expected {1}.", shape_of(given), shape_of(asked.right)));
         }
         Judged judged = not_understood(
-            tr("You wrote {0}; expected {1}: transposed.", shape_of(given), shape_of(asked.right)));
+            tr("You wrote {0}; expected {1}. The answer is transposed.", shape_of(given),
+               shape_of(asked.right)));
         judged.mistake = "transposed";
         judged.title = tr("transposed");
         return judged;

@@ -85,7 +85,7 @@ MatrixX answer_in(const ReadJson& json) {
 
 ProgramOutput read_program_output(const std::string& text) {
     const ReadJson json = ReadJson::parse(with_nulls(text), nullptr, false);
-    if (json.is_discarded()) { return {{}, tr("The output is no JSON; expected {0}.", kExpected)}; }
+    if (json.is_discarded()) { return {{}, tr("The output is not JSON; expected {0}.", kExpected)}; }
     if (!json.is_object() || !json.contains("answers") || !json["answers"].is_array()) {
         return {{}, tr("The output has no list \"answers\"; expected {0}.", kExpected)};
     }

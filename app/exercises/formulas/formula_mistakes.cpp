@@ -28,12 +28,12 @@ constexpr std::array kFormulaMistakes{
         tr_later("{0} was taken from the other body: check the index i or j."), "slide 2",
         alterations::wrong_body},
     FormulaMistake{
-        "local-for-global", tr_later("components of the body for global ones"),
+        "local-for-global", tr_later("body components used for global ones"),
         tr_later("{0} is needed in the global frame; you have used its components in the frame of the body: "
                  "s = A s′."),
         "slide 2", alterations::local_for_global},
     FormulaMistake{
-        "global-for-local", tr_later("global components for those of the body"),
+        "global-for-local", tr_later("global components used for body ones"),
         tr_later("{0} is needed in the frame of the body; you have used its global components: s′ = Aᵀ s."),
         "slide 2", alterations::global_for_local},
     FormulaMistake{
@@ -41,7 +41,7 @@ constexpr std::array kFormulaMistakes{
         tr_later("The rotation matrix {0} is missing."), "slide 3", alterations::forgotten_matrix},
     FormulaMistake{
         "matrix-transposed", tr_later("a matrix transposed"),
-        tr_later("{0} is transposed: A turns components of the body into global ones, Aᵀ the other way."),
+        tr_later("{0} is transposed: A converts body components into global ones, Aᵀ global into body ones."),
         "slide 3", alterations::transposed_matrix},
     FormulaMistake{
         "transposed", tr_later("the answer transposed"),
@@ -49,12 +49,12 @@ constexpr std::array kFormulaMistakes{
         tr_later("{0} is transposed.")},
     FormulaMistake{
         "frame", tr_later("components in the other frame"),
-        tr_later("These are the components of the right vector in the other one of the frames: of the body "
-                 "and global."),
-        "slide 3", alterations::other_frame, tr_later("{0} has the components of the other frame.")},
+        tr_later("The vector is right, but its components are in the wrong frame: body and global frame are "
+                 "mixed up."),
+        "slide 3", alterations::other_frame, tr_later("The components of {0} are in the wrong frame.")},
     FormulaMistake{
         "g-for-l", tr_later("G and L mixed up"),
-        tr_later("{0} must be the other one of G and L: ω = 2 G ṗ, ω′ = 2 L ṗ."), "slide 13",
+        tr_later("{0} is the wrong one of G and L: ω = 2 G ṗ, ω′ = 2 L ṗ."), "slide 13",
         alterations::g_for_l},
     FormulaMistake{
         "factor", tr_later("a factor is lost"), tr_later("The factor {0} of the formula is lost."), "",
@@ -80,8 +80,8 @@ constexpr std::array kFormulaMistakes{
         alterations::other_point},
     FormulaMistake{
         "other-jacobian", tr_later("true and modified Jacobian mixed up"),
-        tr_later("This is the other one of the true and the modified Jacobian: they differ by c pᵀ."),
-        "slides 21-22", alterations::other_jacobian},
+        tr_later("The true and the modified Jacobian are mixed up: they differ by c pᵀ."), "slides 21-22",
+        alterations::other_jacobian},
     FormulaMistake{
         "not-normalised", tr_later("not normalised"), tr_later("The division by the length {0} is missing."),
         "", alterations::not_normalised},

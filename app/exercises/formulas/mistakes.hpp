@@ -45,11 +45,12 @@ inline constexpr ValueMistake kFullTurn{
     "slide 11"};
 inline constexpr ValueMistake kOtherBranch{
     "branch", tr_later("the other branch"),
-    tr_later("This belongs to the other way in which the same joints can be assembled."), "slide 23"};
+    tr_later("The answer belongs to the other branch, in which the same joints are assembled differently."),
+    "slide 23"};
 inline constexpr ValueMistake kWrongTwo{
     "wrong-two", tr_later("the wrong two of three"),
     tr_later("The rule leaves out the equation of the largest global component of s_i, not this one. The two "
-             "that are left would become dependent sooner."),
+             "equations kept here become dependent sooner."),
     "slide 5"};
 inline constexpr std::array kValueMistakes{kOppositeSign, kMixedUnits, kFullTurn, kOtherBranch, kWrongTwo};
 

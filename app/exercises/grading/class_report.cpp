@@ -125,7 +125,7 @@ std::string answer_cell(
 
 std::string about_lessons(const LinkedLessons& linked) {
     if (linked.empty()) { return {}; }
-    std::string html = "<h2>" + markup_text(tr("Where the answers are")) + "</h2>\n";
+    std::string html = "<h2>" + markup_text(tr("Where to read about these mistakes")) + "</h2>\n";
     for (const SlideLesson* lesson : linked) { html += lesson_section(*lesson); }
     return html;
 }
@@ -148,7 +148,7 @@ std::string about_exercise(
     html += "<p>" + markup_text(counts_text(c)) + "</p>\n";
     if (c.mistakes.empty()) { return html; }
     html += "<table><tr><th>" + markup_text(tr("mistake")) + "</th><th class=\"n\">" +
-            markup_text(tr("students")) + "</th><th>" + markup_text(tr("answered by")) + "</th></tr>\n";
+            markup_text(tr("students")) + "</th><th>" + markup_text(tr("explained in")) + "</th></tr>\n";
     for (const ExerciseCount::Mistake& m : c.mistakes) {
         html += "<tr><td>" + html_words(m.title) + "</td><td class=\"n\">" + std::to_string(m.count) +
                 "</td><td>" + answer_cell(c, m, lessons, linked) + "</td></tr>\n";
@@ -197,7 +197,7 @@ std::string class_report_html(
         markup_text(title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" + markup_text(title) +
         "</h1>\n<p>" +
         markup_text(tr_count(
-            all, "{0} submission, {1} of {2} points.", "{0} submissions, {1} of {2} points in the mean.",
+            all, "{0} submission, {1} of {2} points.", "{0} submissions, {1} of {2} points on average.",
             number_text(mean, 3), number_text(points, 6))) +
         "</p>\n" + histogram(grades) + key_of_bars();
     const ProgramsNotRun programs = programs_not_run(grades);

@@ -52,7 +52,7 @@ std::string fault_of(
     }
     if (result.timed_out) {
         return tr(
-            "{0} was stopped: it takes longer than {1} of computing or {2} in all", who,
+            "{0} was stopped: it took more than {1} of processor time or {2} of elapsed time", who,
             in_seconds(limits.cpu_seconds), in_seconds(limits.wall_seconds));
     }
     if (result.signal != 0) {

@@ -19,12 +19,12 @@ PlainFile read_plain_file(const std::filesystem::path& path, std::size_t most) {
     if (handle < 0) {
         file.absent = errno == ENOENT;
         file.problem = file.absent ? tr("There is no file '{0}'.", name)
-                                   : tr("'{0}' cannot be read; expected a plain file, no link.", name);
+                                   : tr("'{0}' cannot be read; expected a regular file, not a link.", name);
         return file;
     }
     struct stat status {};
     if (fstat(handle, &status) != 0 || !S_ISREG(status.st_mode)) {
-        file.problem = tr("'{0}' is no plain file.", name);
+        file.problem = tr("'{0}' is not a regular file.", name);
     } else if (static_cast<std::size_t>(status.st_size) > most) {
         file.problem = tr("'{0}' is larger than {1} kB.", name, most / 1000);
     } else {

@@ -12,7 +12,7 @@ struct PlainFile {
     std::string problem;  ///< why it was not read, one sentence; empty if it was
 };
 
-/// Reads a plain file of at most `most` bytes; links, folders, pipes and devices are refused.
+/// Reads a regular file of at most `most` bytes; links, folders, pipes and devices are refused.
 PlainFile read_plain_file(const std::filesystem::path& path, std::size_t most);
 
 }  // namespace jw

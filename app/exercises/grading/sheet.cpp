@@ -140,10 +140,9 @@ std::string hand_in_text(const SheetEntry& entry) {
     const std::string& name = entry.task.exercise().name;
     if (entry.task.exercise().kind == ExerciseKind::code) {
         return tr(
-            "Hand in a program beside answers.toml: {0}.py, {0}.cpp, {0}.m or {0}.js. It reads JSON and "
-            "writes JSON; a starter in the folder {1} does that already, and {0}-input.json there is an "
-            "input "
-            "to try.",
+            "Hand in a program in the folder of answers.toml: {0}.py, {0}.cpp, {0}.m or {0}.js. It reads "
+            "JSON and writes JSON. The starter program in the folder {1} already does this; {0}-input.json "
+            "beside it is an input for tests.",
             name, kStartersFolder);
     }
     if (entry.task.exercise().kind == ExerciseKind::number && counts) { return tr("Write a whole number."); }

@@ -153,7 +153,7 @@ void Practice::wait() {
 
 std::string Practice::doing() const {
     if (reading_) { return tr("reading the exercises …"); }
-    if (drawing_) { return tr("drawing numbers …"); }
+    if (drawing_) { return tr("choosing numbers …"); }
     if (judging_) { return tr("checking …"); }
     return {};
 }
@@ -178,7 +178,7 @@ void Practice::take_drawn() {
         task_ = std::move(drawn.task);
     } catch (const std::exception& error) {
         task_.emplace();
-        task_->problem = tr("The numbers could not be drawn: {0}", error.what());
+        task_->problem = tr("The numbers could not be chosen: {0}", error.what());
     }
     ++tasks_made_;
 }

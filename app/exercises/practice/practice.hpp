@@ -51,7 +51,7 @@ public:
     bool look();
     /// Waits for all work and takes over its results: for pictures and tests.
     void wait();
-    /// Description of the present work: "drawing numbers ..."; empty if there is none.
+    /// Description of the present work: "choosing numbers ..."; empty if there is none.
     std::string doing() const;
     bool is_busy() const { return reading_ || drawing_ || judging_; }
 

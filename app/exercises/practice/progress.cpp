@@ -50,7 +50,7 @@ ExerciseRecord Progress::of(const std::string& key) const {
 void Progress::read() {
     std::error_code error;
     if (file_.empty() || !fs::exists(fs::symlink_status(file_, error))) { return; }
-    if (!fs::is_regular_file(file_, error)) { return set_aside(tr("it is no file")); }
+    if (!fs::is_regular_file(file_, error)) { return set_aside(tr("it is not a file")); }
     FileText text = read_file_text(file_, kLargestProgress);
     if (!text.problem.empty()) { return set_aside(text.problem); }
     ProgressRead read = read_progress(std::move(text.text));
@@ -64,10 +64,9 @@ void Progress::set_aside(const std::string& why) {
     if (!other.empty()) { fs::rename(file_, other, error); }
     if (other.empty() || error) {
         writable_ = false;
-        notice_ =
-            tr("The progress in '{0}' cannot be read ({1}) and cannot be moved away; what you solve now will "
-               "not be saved.",
-               file_.string(), why);
+        notice_ = tr(
+            "The progress file '{0}' cannot be read ({1}) or renamed; what you solve now will not be saved.",
+            file_.string(), why);
         return;
     }
     notice_ =

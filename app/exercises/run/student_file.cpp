@@ -63,13 +63,13 @@ ProgramSearch read_in(const Handle& folder, const std::string& name, const Langu
     }
     // devices are not even opened, since opening one may have effects
     if (!S_ISREG(about.st_mode)) {
-        return refuse(name, "is " + kind_of(about.st_mode) + ", not a plain file");
+        return refuse(name, "is " + kind_of(about.st_mode) + ", not a regular file");
     }
     constexpr int flags = O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
     const Handle file(::openat(folder.fd(), name.c_str(), flags));
     if (!file) { return refuse(name, std::string("cannot be read: ") + std::strerror(errno)); }
     if (::fstat(file.fd(), &about) != 0 || !S_ISREG(about.st_mode)) {
-        return refuse(name, "is not a plain file");
+        return refuse(name, "is not a regular file");
     }
     ProgramSearch search{ProgramSearch::Outcome::found, {name, {}, &language}, {}};
     if (!read_all(file, search.program.source)) {

@@ -30,7 +30,7 @@ struct Line {
 };
 
 constexpr Line kMouse[] = {
-    {tr_later("Drag a body"), tr_later("pull it: what is assembled holds it")},
+    {tr_later("Drag a body"), tr_later("pull it: the assembled joints constrain it")},
     {tr_later("Drag the background"), tr_later("turn the view")},
     {tr_later("Right button or Shift"), tr_later("move the view")},
     {tr_later("Wheel"), tr_later("zoom in or out")},
@@ -41,7 +41,7 @@ constexpr Line kMouse[] = {
 constexpr Line kFingers[] = {
     {tr_later("One finger"), tr_later("turn the view, scroll a panel")},
     {tr_later("Two fingers"), tr_later("move the view; zoom in or out")},
-    {tr_later("Rest on a body, then move"), tr_later("pull it: what is assembled holds it")},
+    {tr_later("Hold a finger on a body, then move"), tr_later("pull it: the assembled joints constrain it")},
     {tr_later("Tap a row, a plot"), tr_later("go there")},
 };
 

@@ -80,7 +80,7 @@ void Notice::draw(const Ui& ui, const Box& scene, bool has_lesson) const {
 void draw_badge(const Ui& ui, const Box& scene) {
     const Canvas& canvas = ui.canvas;
     const ImFont* const font = canvas.fonts().normal;
-    const std::string text = tr("moved from the step   ·   Escape goes back");
+    const std::string text = tr("not the step's pose   ·   Escape goes back");
     const Box badge{
         scene.x + canvas.px(12.0F), scene.y + canvas.px(12.0F),
         canvas.text_width(font, text) + canvas.px(20.0F), canvas.line_height(font) + canvas.px(8.0F)};
@@ -119,7 +119,7 @@ bool waiting_sheet(const Ui& ui, const Box& room, double part) {
     if (!is_for_fingers()) {
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(tr("or press Escape; what was open stays"));
+        ImGui::TextUnformatted(tr("or press Escape; the open lesson stays"));
     }
     ImGui::EndGroup();
     ImGui::End();

@@ -189,7 +189,7 @@ void Predictions::click(const LessonUi& ui, const std::array<Pointable, 4>& plac
             return take(ui, step, name_of(*thing, session.lesson().mechanism));
         }
     }
-    if (any) { objection_ = tr("That is something else. {0}", question.how); }
+    if (any) { objection_ = tr("That is not what the question asks for. {0}", question.how); }
 }
 
 /// While a body is led by hand, only a question that asks for its pose stays visible.

@@ -266,7 +266,7 @@ void bar_of_figure(const LessonUi& ui, const panels::FrameLayout& layout) {
     const float top = top_of_buttons(ui, box);
     const ImFont* const small = ui.canvas.fonts().small;
     const std::string words =
-        tr("The lesson waits at step {0} of {1}: any other tab shows it.", ui.session.index() + 1,
+        tr("The lesson is at step {0} of {1}: open another tab to see it.", ui.session.index() + 1,
            ui.session.story().steps().size());
     const float left = box.x + ui.px(theme::kMargin);
     if (layout.upright) {

@@ -56,7 +56,7 @@ std::string facts_of(const Exercise& exercise, const ExerciseRecord& record) {
 
 std::string what_is_allowed(const Exercise& exercise) {
     const std::string where = exercise.source.empty() ? "" : shown_slides(exercise.source) + "   ·   ";
-    return where + (exercise.allowed == Allowed::paper ? tr("on paper: what is asked cannot be read off here")
+    return where + (exercise.allowed == Allowed::paper ? tr("on paper: the answer cannot be read off here")
                                                        : tr("the program may be used"));
 }
 
@@ -69,7 +69,9 @@ std::string inputs_of_program(const Exercise& exercise) {
 std::string how_to_answer(const Task& task) {
     std::string how = how_without_unit(task);
     if (!task.asked.unit.empty()) { how += " " + tr("The answer is in {0}.", task.asked.unit); }
-    if (is_of_numbers(task.exercise().kind)) { how += std::string(" ") + tr("Type it, Enter checks it."); }
+    if (is_of_numbers(task.exercise().kind)) {
+        how += std::string(" ") + tr("Type the answer; Enter checks it.");
+    }
     return how;
 }
 

@@ -91,7 +91,7 @@ std::string wrong_entries(const AnswerVerdict& verdict) {
                 name_of_entry(verdict.given, static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
         }
     }
-    return entries.empty() ? entries : as_it_stands(tr("These entries differ: {0}", entries));
+    return entries.empty() ? entries : as_it_stands(tr("These entries are wrong: {0}", entries));
 }
 
 std::string verdict_text(const Practice& practice) {

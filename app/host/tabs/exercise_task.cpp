@@ -169,7 +169,7 @@ void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const Exerc
         return;
     }
     if (is_file(kind) && !work.file.empty() && ui.state.has_disk) {
-        note(ui, tr("The lesson is also here: {0}", work.file.string()));
+        note(ui, tr("The lesson is also in the file {0}", work.file.string()));
     }
     const Caret caret = hand_over_typed();
     if (wants_focus_) { ImGui::SetKeyboardFocusHere(); }
@@ -182,7 +182,7 @@ void ExerciseTab::answer_field(const LessonUi& ui, const Task& task, const Exerc
     has_keyboard_ = ImGui::IsItemActive();
     if (kind == ExerciseKind::code) {
         if (ImGui::Button(tr("Write a starter"))) { ui.requests.starter = answer_; }
-        tip_of_item(tr("a program to start from, and a file with its input, unless they exist"));
+        tip_of_item(tr("Writes a program to start from and its input file; existing files are kept."));
     }
 }
 
@@ -221,7 +221,7 @@ void ExerciseTab::verdict(const LessonUi& ui, const Practice& practice) {
         rich_words(ui, sentence, ui.canvas.fonts().normal, theme::kInk);
     }
     if (!verdict->wrong.empty()) {
-        note(ui, tr("Your answer; the entries in frames differ:"));
+        note(ui, tr("Your answer; wrong entries have a box:"));
         marked_matrix(ui, verdict->given, verdict->wrong);
     }
     if (judged.slide.empty()) { return; }

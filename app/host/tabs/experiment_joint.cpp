@@ -148,7 +148,7 @@ void geometry(const LessonUi& ui, int index, const Joint& joint) {
     JointGeometry g = joint.geometry;
     bool moved = false;
     if (uses_axis(*joint.type)) {
-        note(ui, tr("Axes in their bodies (directions):"));
+        note(ui, tr("Axes in body coordinates (directions):"));
         Vec3 s_i = g.s_i_local.normalized();
         Vec3 s_j = g.s_j_local.normalized();
         // a vector of almost no length is not a direction: the last one stays
@@ -161,7 +161,7 @@ void geometry(const LessonUi& ui, int index, const Joint& joint) {
             moved = true;
         }
     }
-    note(ui, tr("Points in their bodies [m]:"));
+    note(ui, tr("Points in body coordinates [m]:"));
     moved = sliders(ui, "\\mathbf{s}'_i^P", g.P_i_local, reach) || moved;
     moved = sliders(ui, "\\mathbf{s}'_j^P", g.P_j_local, reach) || moved;
     if (joint.type->uses(Role::length)) {

@@ -141,14 +141,14 @@ void repeated_equations(const LessonUi& ui) {
 
 std::string followed_text(const System& system, const FreedomJudgement& followed) {
     switch (followed.verdict) {
-        case FreedomVerdict::finite: return tr("It goes on: a finite motion.");
-        case FreedomVerdict::cannot_tell: return tr("Whether it goes on cannot be told.");
+        case FreedomVerdict::finite: return tr("The motion is finite.");
+        case FreedomVerdict::cannot_tell: return tr("It is not known whether the motion is finite.");
         case FreedomVerdict::first_order: break;
     }
     const std::string leaves = departure_text(system, *followed.departure);
     return followed.has_motion_beside
-               ? tr("To first order only: it {0}. A motion beside it is shown.", leaves)
-               : tr("To first order only: it {0}.", leaves);
+               ? tr("To first order only: the motion {0}. A nearby finite motion is shown.", leaves)
+               : tr("To first order only: the motion {0}.", leaves);
 }
 
 /// Text of a free motion, with its verdict at the steps that list free motions.
@@ -165,7 +165,9 @@ std::string told_freedom(const LessonUi& ui, int motion) {
 void freedoms(const LessonUi& ui) {
     const RankReport& report = ui.session.rank();
     section(ui, tr("Freedoms"));
-    if (report.free_motions.empty()) { return note(ui, tr("Nothing can move: every direction is held.")); }
+    if (report.free_motions.empty()) {
+        return note(ui, tr("Nothing can move: every direction is constrained."));
+    }
     const System& system = *ui.session.step().system;
     for (std::size_t k = 0; k < report.free_motions.size(); ++k) {
         ImGui::PushID(static_cast<int>(k));

@@ -62,7 +62,7 @@ void NewtonTab::controls(const LessonUi& ui) {
     ImGui::BeginDisabled(compared_ != Compared::coordinates);
     host::choose("##method", room_for_choice(ui), kNewtonMethods, method_);
     ImGui::EndDisabled();
-    ImGui::Checkbox(tr("rows pᵀp − 1 of the (r, p) choices"), &normalisation_);
+    ImGui::Checkbox(tr("use the rows pᵀp − 1 in (r, p)"), &normalisation_);
 }
 
 void NewtonTab::compute(const Session& session, int start) {
@@ -120,9 +120,8 @@ void NewtonTab::draw(const LessonUi& ui, const Box& box) {
         std::ranges::any_of(runs_.traces, [](const NewtonTrace& trace) { return trace.iterates.size() > 1; });
     if (!iterates) {
         return note(
-            ui,
-            tr("It is already closed at the start estimate: there is nothing to iterate. Pull a body away at "
-               "the step before and come back."));
+            ui, tr("The equations hold already at the start estimate: there is nothing to iterate. Drag a "
+                   "body away at the previous step, then come back."));
     }
     // in a low window the column is scrolled
     const float height = std::max(ui.px(kLeastHeight), box.bottom() - top - ui.px(10.0F));

@@ -22,10 +22,12 @@ std::string why_not(const Lesson& lesson) {
     if (!lesson.dynamics) {
         return tr(
             "This lesson has no masses: nothing is integrated, so there is no error to compare with the "
-            "time. Lessons of dynamics have one, for example dynamics/andrews.");
+            "time. Open a lesson on dynamics, for example dynamics/andrews.");
     }
     if (!lesson.dynamics->point) {
-        return tr("Errors are those of one point's path: name it as 'point' in [dynamics] of the lesson.");
+        return tr(
+            "Errors are measured on the path of one point: name the point as 'point' in [dynamics] of the "
+            "lesson.");
     }
     return {};
 }
@@ -96,7 +98,7 @@ void PriceTab::draw(const LessonUi& ui, const Box& box) {
     if (!job_ && !prices_) {
         return note(
             ui, tr("Every adaptive method integrates this lesson with tolerances from 3e-2 to 1e-13; the "
-                   "error is that of the lesson's point at 100 times. The fastest method for three digits "
+                   "error is that of the lesson's point at 100 moments. The fastest method for three digits "
                    "need not be the fastest for nine."));
     }
     if (!news_.origin.empty()) { note(ui, tr("Compared with: {0}", news_.origin)); }

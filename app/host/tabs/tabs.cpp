@@ -117,7 +117,7 @@ std::string use_panel_keys(UiState& state, bool on) {
     if (state.tab == Tab::step) { state.tab = Tab::experiments; }
     // each area has the word of its tab as its name
     ImGui::SetWindowFocus(word_of(kTabs, state.tab));
-    return tr("The arrows move in the panel, Space presses, Enter types a number; Escape returns.");
+    return tr("The arrows move in the panel, Space presses a button, Enter edits a number, Escape returns.");
 }
 
 bool act_in_panel(const InputEvent& event, UiState& state) {

@@ -98,13 +98,14 @@ void name_lines(const SphereView& view, const std::vector<SphereLine>& lines, La
     }
 }
 
-/// Labels of the rule: the component dropped in each cap, and the worst condition, at a corner.
+/// Labels of the rule: the component whose equation is left out in each cap, and the worst condition, at a
+/// corner.
 void name_caps(const SphereView& view, Labels& labels) {
     for (int k = 0; k < 3; ++k) {
         const Vec3 pole = (view.faces(Vec3::Unit(k)) ? 1.0 : -1.0) * Vec3::Unit(k);
         if (pole.dot(view.towards) < kNearRim) { continue; }
         const Vec3 below = (pole - 0.28 * view.up).normalized();
-        labels.try_text(view.pixel(below), theme::kInk, tr("drop {0}", axis_name(k)));
+        labels.try_text(view.pixel(below), theme::kInk, tr("without {0}", axis_name(k)));
     }
     Vec3 corner = Vec3::Ones() / std::numbers::sqrt3;
     for (int k = 0; k < 3; ++k) { corner(k) = std::copysign(corner(k), view.towards(k)); }
@@ -325,13 +326,13 @@ std::string sphere_words(const DirectionSphere& sphere) {
         "Each point is a direction of sᵢ; its value is the smallest singular value of the two rows in use.");
     if (sphere.pair == PairInUse::rule) {
         words = followed(
-            words, tr("The rule drops the largest component, so the value is never below 1/√3 = 0.577."));
+            words, tr("The rule leaves out the equation of the largest component, so the value is never "
+                      "below 1/√3 = 0.577."));
     } else {
         words = followed(
-            words,
-            tr("With the {0} equation left out it is the size of the {0} component: 1 along {0}, and 0 "
-               "on the thick circle, where the two rows say the same.",
-               axis_name(static_cast<int>(sphere.pair) - 1)));
+            words, tr("With the {0} equation left out, the value is the size of the {0} component: 1 along "
+                      "{0}, and 0 on the thick circle, where the two rows are dependent.",
+                      axis_name(static_cast<int>(sphere.pair) - 1)));
     }
     if (!sphere.axis) { return words; }
     const double quality = quality_now(sphere);

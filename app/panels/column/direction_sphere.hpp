@@ -11,8 +11,8 @@
 /// Sphere of all directions of the axis s_i. The colour is the smaller singular value of the two rows of p1
 /// or p2 in use: it shows which pair is good for which direction.
 ///
-/// If s_i is a unit vector and everything is assembled, the rows that remain when component k is dropped have
-/// the singular values 1 and |s_k| (core/equations/independent_rows.hpp).
+/// If s_i is a unit vector and everything is assembled, the rows that remain when component k is left out
+/// have the singular values 1 and |s_k| (core/equations/independent_rows.hpp).
 namespace jw::panels {
 
 enum class PairInUse { rule, drop_x, drop_y, drop_z };

@@ -20,7 +20,7 @@ struct Places {
     float label = 0.205F;
     float value = 0.595F;
     float delta = 0.735F;
-    float turn = 0.84F;
+    float turn = 0.83F;
     float fraction = 0.92F;
     float rank = 1.0F;
 };
@@ -52,7 +52,7 @@ Places places_of(const Canvas& canvas, const Box& box) {
             return place;
         };
         places.rank = next(left_out < 2, part(tr("rank")));
-        places.fraction = next(left_out < 1, part(tr("part")));
+        places.fraction = next(left_out < 1, part(tr("share")));
         places.turn = next(left_out < 3, part("206.1°"));
         places.delta = next(true, size);
         places.value = right;
@@ -86,10 +86,10 @@ void draw_head(const Canvas& canvas, const Box& box) {
     const Line line{canvas, box, box.y, theme::kSoft, places_of(canvas, box)};
     line.number(line.places.k, "k");
     line.number(line.places.phi, "‖Φ‖");
-    line.words(line.places.label, line.places.value, tr("largest equation"));
+    line.words(line.places.label, line.places.value, tr("largest residual"));
     line.number(line.places.delta, "‖Δq‖");
     line.number(line.places.turn, tr("turn"));
-    line.number(line.places.fraction, tr("part"));
+    line.number(line.places.fraction, tr("share"));
     line.number(line.places.rank, tr("rank"));
 }
 

@@ -129,7 +129,7 @@ GivenAnswer judge_pose(const RightAnswer& right, const std::string& given) {
     GivenAnswer judged;
     const std::optional<BodyPose> pose = typed_pose(given);
     if (!pose) {
-        judged.note = tr("expected x, y, z [m] and e0, e1, e2, e3, or that the body is dragged");
+        judged.note = tr("expected x, y, z [m] and e0, e1, e2, e3; or drag the body");
         return judged;
     }
     judged.understood = true;

@@ -126,7 +126,7 @@ void judge(const CountClaim& claim, const Pose& pose, ClaimResult& result) {
 
 void judge(const DroppedClaim& claim, const Pose& pose, ClaimResult& result) {
     const Joint& joint = pose.instant.system->mechanism().joints[static_cast<std::size_t>(claim.joint)];
-    result.subject = tr("dropped of {0} {1}", joint.name, name_of_role(claim.role, joint.parallel_form));
+    result.subject = tr("left out of {0} {1}", joint.name, name_of_role(claim.role, joint.parallel_form));
     result.expected = axis_name(claim.component);
     result.found = tr("nothing");
     for (const Constraint& c : pose.instant.system->constraints()) {

@@ -32,7 +32,7 @@ std::string equations_text(const View& view, int width) {
                     padded(group.unit == "-" ? "" : group.unit, 4) + status_text(row.status) + '\n';
         }
         if (group.choice) {
-            TextRows table{{"", "x", "y", "z"}, {"|sᵢ|"}, {tr("condition without it")}};
+            TextRows table{{"", "x", "y", "z"}, {"|sᵢ|"}, {tr("condition number without it")}};
             for (std::size_t k = 0; k < 3; ++k) {
                 table[1].push_back(number_text(group.choice->axis_size[k], 3));
                 table[2].push_back(number_text(group.choice->pair_condition[k], 3));
@@ -73,7 +73,7 @@ std::string rank_text(const View& view, int width) {
             values += (values.empty() ? "" : " ") + number_text(s, 3);
         }
         const std::string line =
-            tr("singular values: {0}; zero up to {1}", values, small_text(rank.threshold));
+            tr("singular values: {0}; up to {1} they count as zero", values, small_text(rank.threshold));
         text += "  " + wrapped(line, width - 2, 4) + '\n';
     }
     if (rank.near_singular) {
@@ -145,7 +145,7 @@ std::string question_text(const QuestionView& question, int width) {
 std::string describe(const View& view, int width) {
     std::string text = "[" + std::to_string(view.step) + "] " + view.title;
     if (view.kind == Step::Kind::iteration) { text += " · " + std::string(tr("iteration")); }
-    if (view.kind == Step::Kind::assembled) { text += " · " + std::string(tr("put together")); }
+    if (view.kind == Step::Kind::assembled) { text += " · " + std::string(tr("assembled")); }
     text += '\n';
     if (!view.sentence.empty()) { text += "  " + wrapped(view.sentence, width - 2, 2) + '\n'; }
     if (!view.author_text.empty() && view.kind != Step::Kind::iteration &&

@@ -147,8 +147,8 @@ std::string redundant_lines(const Inspection& inspection, int width) {
 /// Says of a large system how certain the rank is and how to get the full spectrum.
 std::string without_spectrum_text(const RankReport& rank) {
     return tr(
-        "largest singular value about {0}, smallest one above zero about {1}; zero up to {2}. With so many "
-        "columns, the others and the free motions take long: --spectrum computes them.",
+        "largest singular value about {0}, smallest nonzero one about {1}; up to {2} they count as zero. The "
+        "others and the free motions take long with so many columns: --spectrum computes them.",
         number_text(rank.first_value(), 3), small_text(rank.last_value()), small_text(rank.threshold));
 }
 
@@ -175,7 +175,7 @@ std::string rank_lines(const Inspection& inspection, int width) {
                redundant_lines(inspection, width);
     }
     const std::string values =
-        tr("singular values (r, ω′): {0}; zero up to {1}", values_text(rank.singular_values),
+        tr("singular values (r, ω′): {0}; up to {1} they count as zero", values_text(rank.singular_values),
            small_text(rank.threshold));
     const std::string above = tr("singular values of Φq above: {0}", values_text(inspection.singular_values));
     text += "  " + wrapped(values, width - 2, 4) + "\n  " + wrapped(above, width - 2, 4) + '\n';

@@ -84,7 +84,7 @@ std::string reactions_text(const RestView& view) {
              reaction.unique() ? "" : tr("not unique")});
     }
     if (table.size() == 1) { return {}; }
-    return std::string("\n  ") + tr("What holds it, on the second body at the joint's point, global axes:") +
+    return std::string("\n  ") + tr("Reactions on the second body, at the joint's point, in global axes:") +
            '\n' + text_table(table, columns_of_numbers(4, 2));
 }
 
@@ -105,14 +105,16 @@ std::string joints_text(const std::vector<ModeOfJoint>& joints, const Mechanism&
         const double size = in_phase ? amplitude.real() : std::abs(amplitude);
         text += (text.empty() ? "" : ", ") + name_of_movement(named, mechanism) + ' ' + number_text(size) +
                 ' ' + std::string(symbol_of(dimension_of(named.quantity).unit));
-        if (!in_phase) { text += ' ' + tr("at {0}°", number_text(std::arg(amplitude) * kDegreesPerRadian)); }
+        if (!in_phase) {
+            text += ' ' + tr("with phase {0}°", number_text(std::arg(amplitude) * kDegreesPerRadian));
+        }
     }
     return text;
 }
 
 /// How a small motion goes on in time.
 std::string rate_text(std::complex<double> s) {
-    if (s == 0.0) { return tr("neither held nor pushed"); }
+    if (s == 0.0) { return tr("neutral: forces unchanged to first order"); }
     const auto per_e = number_text(1.0 / std::abs(s.real()));
     const std::string growth = s.real() > 0.0 ? tr("grows: a factor of e in {0} s", per_e)
                                               : tr("decays: a factor of e in {0} s", per_e);
@@ -192,16 +194,17 @@ const char* word_of(Stability stability) {
 
 std::string describe(const RestView& view) {
     const std::string head =
-        tr("Equilibrium, {0} steps from the start pose. Drivers and loads stand still as at t = 0.",
+        tr("Equilibrium, found in {0} steps from the start pose. Drivers and loads are fixed at t = 0.",
            view.outcome.steps);
     std::string verdict = stability_text(view.outcome);
     if (view.outcome.motions.stability == Stability::unstable && view.seek == Seek::where_it_rests) {
         verdict +=
-            std::string(" ") + tr("It starts exactly there: start beside it to see where it comes to rest.");
+            std::string(" ") +
+            tr("The mechanism starts exactly there. Start near this pose to see where it comes to rest.");
     }
     if (view.without_friction) {
         verdict += std::string(" ") +
-                   tr("Dry friction is left out: with it, the mechanism can also stop beside this pose.");
+                   tr("Dry friction is neglected: with it, the mechanism can also stop near this pose.");
     }
     return "  " + head + "\n  " + verdict + "\n\n" + quantities_text(view) + reactions_text(view) +
            modes_text(view);

@@ -162,13 +162,13 @@ std::string failure_text(const RestView& view) {
     switch (view.outcome.failure) {
         case Failure::none: return {};
         case Failure::endless:
-            return tr("No equilibrium was found in {0} steps: the forces push on and do not change. Nothing "
-                      "holds the mechanism in their direction.",
+            return tr("No equilibrium was found in {0} steps: the forces do not change along the motion, and "
+                      "nothing resists them.",
                       steps) +
                    " " + push_text(view);
         case Failure::too_many_steps:
-            return tr("No equilibrium was found in {0} steps: it is far from the start, or only short steps "
-                      "are proved to stay on the branch. Start nearer to it.",
+            return tr("No equilibrium was found in {0} steps: it is far from the start pose, or only short "
+                      "steps are proved to stay on the branch. Choose a start pose nearer to it.",
                       steps) +
                    " " + push_text(view);
         case Failure::no_step:
@@ -189,14 +189,17 @@ std::string failure_text(const RestView& view) {
 
 std::string stability_text(const RestOutcome& outcome) {
     const SmallMotions& motions = outcome.motions;
-    if (outcome.freedoms == 0) { return tr("The mechanism has no freedom: its drivers hold it."); }
+    if (outcome.freedoms == 0) {
+        return tr("The mechanism has no freedom: joints and drivers constrain it completely.");
+    }
     if (motions.is_singular) {
         return tr(
-            "Not known whether it is stable: the pose is singular, with more freedoms than poses beside it.");
+            "It is not known whether it is stable: the pose is singular and has more freedoms than nearby "
+            "poses have.");
     }
     if (motions.at_kink) {
         return tr(
-            "Not known whether it is stable: the law of a spring has no slope here that can be proved, as at "
+            "It is not known whether it is stable: the slope of a spring's law cannot be proved here, as at "
             "a kink.");
     }
     switch (motions.stability) {
@@ -219,8 +222,8 @@ std::string stability_text(const RestOutcome& outcome) {
                      "Nothing pushes it away, but along {0} freedom the forces do not change to first order.",
                      "Nothing pushes it away, but along {0} freedoms the forces do not change to first "
                      "order.")
-               : tr("Not known whether it is stable: the loads have no potential, and a small motion neither "
-                    "grows nor decays to first order.");
+               : tr("It is not known whether it is stable: the loads have no potential, and a small motion "
+                    "neither grows nor decays to first order.");
 }
 
 RestView find_rest(const Lesson& lesson, const RestRequest& request) {

@@ -10,7 +10,7 @@
 #include "core/statics/equilibrium.hpp"
 #include "lessons/lesson/lesson.hpp"
 
-/// A lesson of dynamics at rest: the equilibrium to which its forces lead, what holds it there, and the small
+/// A lesson of dynamics at rest: the equilibrium to which its forces lead, the reactions there, and the small
 /// motions about it.
 namespace jw {
 

@@ -80,12 +80,12 @@ std::string contradiction_text(const SimulationFailure& failure, const Mechanism
         advice(what_contradicts(failure.violation, mechanism, failure.equation_of), look_at(failure.t));
     if (failure.of_accelerations) {
         return tr(
-            "equations of {0} are redundant with those of other joints or drivers, but contradict their "
-            "accelerations (by {1} of their size), so the motion cannot go on; {2}",
+            "equations of {0} depend linearly on those of other joints or drivers, but contradict their "
+            "accelerations (relative error {1}), so the motion cannot continue; {2}",
             equation, size, then);
     }
     return tr(
-        "equations of {0} are redundant with those of other joints, but contradict them by {1} of the "
+        "equations of {0} depend linearly on those of other joints, but contradict them by {1} times the "
         "scene's size; {2}",
         equation, size, then);
 }
@@ -106,8 +106,7 @@ std::string not_proven_text(const SimulationFailure& failure, const SimulationSe
                                  ? "M q̈ - Q = Φqᵀλ"
                                  : tr("the acceleration equations of {0}", in_quotes(failure.equation_of));
     return tr(
-        "accelerations do not satisfy {0} (off by {1} of their size): the pose may be singular, or the "
-        "masses "
+        "accelerations do not satisfy {0} (relative error {1}): the pose may be singular, or the masses "
         "differ too much; {2}",
         what, number_text(failure.violation, 2), advice(another_way(settings), look_at(failure.t)));
 }

@@ -59,8 +59,8 @@ void add_residual(const Reactions& found, double t, DynamicsTable& table) {
     }
     if (found.holds() || !table.reaction_note.empty()) { return; }
     table.reaction_note =
-        tr("at t = {0} s the reactions leave {1} of the forces on the bodies unexplained, of which rounding "
-           "explains {2}",
+        tr("at t = {0} s the reactions do not balance {1} of the forces on the bodies; rounding explains "
+           "only {2}",
            number_text(t, 6), small_text(found.residual), small_text(found.bound));
 }
 
@@ -97,9 +97,9 @@ std::string fit_note(const DynamicsTable& table) {
     const double left_open = table.rows.front()[table.column_of("position_violation")];
     if (left_open < twelve_digits) { return {}; }
     return tr(
-        "redundant equations are violated by {0} at the start, so branches that should cross near a singular "
-        "position separate there, and the motion may go on along the folded one; numbers with 12 or more "
-        "digits keep it on its branch",
+        "redundant equations are violated by {0} at the start. Branches that should cross near a singular "
+        "position then stay apart, and the motion may continue on the folded branch; use numbers with 12 or "
+        "more digits",
         small_text(left_open));
 }
 
@@ -245,10 +245,10 @@ private:
     void say(const RunState& run, double needed, bool stiff) {
         const std::string method(entry_of(request_->settings.method).name);
         std::string text =
-            tr("at t = {0} s of {1} s {2} has taken {3} steps; at this pace it takes {4} in all",
+            tr("{2} has taken {3} steps to t = {0} s of {1} s; at this pace it will need {4} in all",
                number_text(run.t, 3), number_text(run.end, 3), method, run.steps, number_text(needed, 2));
         if (static_cast<double>(request_->settings.most_steps) < needed) {
-            text = tr("{0}, and is given up after {1}", text, request_->settings.most_steps);
+            text = tr("{0}; it stops after {1}", text, request_->settings.most_steps);
         }
         if (stiff) {
             text =
@@ -359,7 +359,7 @@ DynamicsTable simulate(const Lesson& lesson, const DynamicsRequest& request) {
         const long steps = table.outcome.counts.steps;
         table.pace_note =
             tr("the scene is stiff: stability, not accuracy, limits the steps of {0} ({1} of them to t = {2} "
-               "s); implicit-5 was taken instead, --method {0} keeps it",
+               "s); implicit-5 is used instead, --method {0} keeps {0}",
                method, steps, number_text(table.outcome.failure->t, 3));
         if (request.tell) { request.tell(table.pace_note); }
         run_once(lesson, used, table);

@@ -83,10 +83,10 @@ std::string bodies_sentence(const Lesson& lesson, const Step& step) {
     }
     return tr_count(
         moving,
-        "{0} body is free: {1}. That is {2} coordinates (r, p) with {0} equation pᵀp = 1 among them, so {3} "
-        "freedoms; as velocities, {3} columns (r, ω′).",
-        "{0} bodies are free: {1}. That is {2} coordinates (r, p) with {0} equations pᵀp = 1 among them, so "
-        "{3} freedoms; as velocities, {3} columns (r, ω′).",
+        "{0} body is free: {1}. Its pose has {2} coordinates (r, p) and {0} equation pᵀp = 1, so {3} "
+        "freedoms; its velocity has {3} columns (r, ω′).",
+        "{0} bodies are free: {1}. Their poses have {2} coordinates (r, p) and {0} equations pᵀp = 1, so {3} "
+        "freedoms; their velocities have {3} columns (r, ω′).",
         listed(names), 7 * moving, 6 * moving);
 }
 
@@ -115,7 +115,7 @@ std::string equations_sentence(const Lesson& lesson, const Step& step, const Add
     const int largest = *std::ranges::max_element(rows, {}, size);
     if (size(largest) < kMet) { return followed(text, tr("The start estimate satisfies them already.")); }
     return followed(
-        text, tr("At the start estimate the largest is {0} = {1}.", row_label(system, largest),
+        text, tr("At the start estimate the largest residual is {0} = {1}.", row_label(system, largest),
                  number_text(assembler.phi()(largest), 3)));
 }
 
@@ -129,7 +129,7 @@ std::string newton_sentence(const System& system, const NewtonStep& newton) {
         step = tr("{0} (limited: {1} % of the full step)", step, number_text(100.0 * newton.fraction, 2));
     }
     return tr(
-        "Iteration {0} found ‖Φ‖ = {1}, the largest equation {2} = {3}. Its step Φq Δq = −Φ, already taken "
+        "Iteration {0} found ‖Φ‖ = {1}, the largest residual {2} = {3}. Its step Φq Δq = −Φ, already taken "
         "in the picture, {4}.",
         newton.iteration, small_text(newton.phi_norm), row_label(system, newton.largest_row),
         small_text(newton.largest_value), step);
@@ -141,7 +141,7 @@ std::string iteration_sentence(const Step& step) {
             [&](const NewtonStep& newton) { return newton_sentence(*step.system, newton); },
             [&](const WrongBranch& wrong) {
                 return tr(
-                    "All equations hold, but on the wrong branch: {0}. In the picture that is already turned "
+                    "All equations hold, but on the wrong branch: {0}. The picture shows it already turned "
                     "by half a turn; Newton-Raphson starts again from there.",
                     branch_text(*step.system, wrong));
             },
@@ -189,12 +189,12 @@ std::string redundancy_text(const System& system, const RankReport& rank, int ad
     const std::string number = number_word(added);
     const bool empty =
         std::ranges::all_of(rank.redundant_rows, [](const RedundantRow& r) { return r.terms.empty(); });
-    if (empty) { return tr_count(added, "{1} says nothing here", "{1} say nothing here", number); }
+    if (empty) { return tr_count(added, "{1} has a zero row here", "{1} have zero rows here", number); }
     const std::vector<std::string> owners = implying_owners(system, rank.redundant_rows);
     if (owners.empty()) {
         return tr_count(
-            added, "{1} is redundant beside the others of the joint",
-            "{1} are redundant beside the others of the joint", number);
+            added, "{1} is redundant, implied by the others of the joint",
+            "{1} are redundant, implied by the others of the joint", number);
     }
     return tr_count(
         added, "{1} is redundant, implied by {2}", "{1} are redundant, implied by {2}", number,
@@ -228,8 +228,8 @@ std::string reactions_text(const Mechanism& m, const Reactions& found) {
     const std::string name = largest->joint >= 0 ? m.joints[static_cast<std::size_t>(largest->joint)].name
                                                  : m.drivers[static_cast<std::size_t>(largest->driver)].name;
     const std::string text =
-        tr("The arrows show what joints do to their second bodies: forces, and with two heads torques; the "
-           "largest force is {0} N, in {1}.",
+        tr("The arrows show the reactions of joints on their second bodies: one head is a force, two heads a "
+           "torque. The largest force is {0} N, in {1}.",
            number_text(largest->wrench.force.norm(), 3), name);
     if (found.unique()) { return text; }
     return followed(
@@ -253,11 +253,10 @@ std::string determined_text(const Lesson& lesson, const RankReport& rank) {
     }
     return tr_count(
         rank.dof,
-        "rank {1} of {2} columns; {0} freedom not driven: the velocities shown are the ones nearest to those "
-        "before, the accelerations the shortest.",
-        "rank {1} of {2} columns; {0} freedoms not driven: the velocities shown are the ones nearest to "
-        "those "
-        "before, the accelerations the shortest.",
+        "rank {1} of {2} columns; {0} freedom not driven: the velocities shown are those nearest to the "
+        "previous ones, the accelerations have the least norm.",
+        "rank {1} of {2} columns; {0} freedoms not driven: the velocities shown are those nearest to the "
+        "previous ones, the accelerations have the least norm.",
         rank.rank, rank.columns);
 }
 
@@ -265,10 +264,10 @@ std::string determined_text(const Lesson& lesson, const RankReport& rank) {
 std::string change_point_text(const RankReport& rank) {
     return tr_count(
         rank.columns,
-        "a change point, or very near one. Of {0} column {1} are independent here, the last of them with a "
-        "singular value of {2}. The motion continues along its tangent.",
-        "a change point, or very near one. Of {0} columns {1} are independent here, the last of them with a "
-        "singular value of {2}. The motion continues along its tangent.",
+        "a change point, or very near one. Of {0} column, {1} are independent here; their smallest singular "
+        "value is {2}. The motion continues along its tangent.",
+        "a change point, or very near one. Of {0} columns, {1} are independent here; their smallest singular "
+        "value is {2}. The motion continues along its tangent.",
         rank.rank, number_text(rank.last_value(), 2));
 }
 

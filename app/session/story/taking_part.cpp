@@ -43,9 +43,10 @@ void require_formulas(const Lesson& lesson, double from, double to) {
     const auto require = [&](const TimeFunction& function, const std::string& name) {
         const auto gap = function.formula ? function.formula->gap_between(from, to) : std::nullopt;
         if (!gap) { return; }
-        throw std::invalid_argument(tr(
-            "the formula of {0} has no value, rate and acceleration at t = {1} s; expected times without it",
-            name, number_text(*gap, 6)));
+        throw std::invalid_argument(
+            tr("the formula of {0} has no value, rate or acceleration at t = {1} s; expected a time range "
+               "without that moment",
+               name, number_text(*gap, 6)));
     };
     for (const Driver& driver : lesson.mechanism.drivers) {
         require(driver.function, in_quotes(driver.name));

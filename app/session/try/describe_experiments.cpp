@@ -58,7 +58,7 @@ std::string group_text(const ExperimentGroup& group, int widest) {
 
 std::string motions_text(const PossibleExperiments& all) {
     if (all.free_motions.empty()) {
-        return std::string(tr("No free motion: every direction is held.")) + '\n';
+        return std::string(tr("No free motion: every direction is constrained.")) + '\n';
     }
     std::string text = std::string(tr("Free motions")) + '\n';
     for (const FreeMotionVerdict& v : all.free_motions) {

@@ -193,7 +193,7 @@ public:
         Body& body = lesson_.mechanism.bodies[static_cast<std::size_t>(a.body)];
         if (body.fixed) { return refused(tr("{0} is fixed: it has no unknowns.", body.name)); }
         if (!a.r.allFinite() || !(std::abs(a.p.norm() - 1.0) <= kUnitP)) {
-            return refused(tr("a place must be finite, and Euler parameters of length 1"));
+            return refused(tr("the position must be finite, and the Euler parameters must have length 1"));
         }
         body.r = a.r + Vec3::Zero();
         body.p = a.p + Vec4::Zero();
@@ -256,7 +256,7 @@ private:
     Edit put_back(const Addition& what, const std::string& name) {
         const Addition its_joint{Addition::Kind::joint, joint_driven_by(what)};
         if (its_joint.index >= 0 && std::ranges::find(lesson_.order, its_joint) == lesson_.order.end()) {
-            return refused(tr("{0} drives {1}: put that back first", name, name_of(lesson_, its_joint)));
+            return refused(tr("{0} drives {1}: put {1} back first", name, name_of(lesson_, its_joint)));
         }
         const auto rank = [&](const Addition& a) { return std::ranges::find(written_.order, a); };
         const auto later =

@@ -253,9 +253,9 @@ std::string Session::perform(const Drag& drag) {
     const DragOutcome outcome = hand_->pull(drag.body, drag.point_local, drag.target);
     changed();
     if (outcome.freedoms == 0) {
-        return tr("Nothing is free here: the joints and drivers that are present hold every body.");
+        return tr("No freedom is left here: the joints and drivers present constrain every body.");
     }
-    return outcome.blocked ? tr("The equations hold {0} in this direction.", body.name) : std::string();
+    return outcome.blocked ? tr("The equations constrain {0} in this direction.", body.name) : std::string();
 }
 
 /// Drags a driven mechanism along its motion, to the moment where the point is nearest to the target. The

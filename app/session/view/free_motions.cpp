@@ -80,7 +80,7 @@ std::vector<ListedMotion> listed_motions(
         const std::string& name = system.mechanism().bodies[static_cast<std::size_t>(body)].name;
         names += (names.empty() ? "" : ", ") + name;
     }
-    const std::string text = tr("{0}: all six, nothing holds it yet", names);
+    const std::string text = tr("{0}: all six, not constrained yet", names);
     listed.push_back({text, text, std::nullopt, -1});
     return listed;
 }

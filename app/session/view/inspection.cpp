@@ -57,8 +57,8 @@ bool is_far_outside(const Lesson& lesson, double t) {
 PoseNotReached far_outside(const Lesson& lesson, double t, double reached) {
     return PoseNotReached(
         lesson.file_name + ": " +
-        tr("t = {0} s lies far outside the lesson's motion, which goes from {1} s to {2} s. It could be "
-           "followed as far as {3} s.",
+        tr("t = {0} s lies far outside the lesson's motion, which goes from {1} s to {2} s. The motion can "
+           "be followed as far as {3} s.",
            number_text(t, 4), number_text(lesson.motion->from, 4), number_text(lesson.motion->to, 4),
            number_text(reached, 4)));
 }

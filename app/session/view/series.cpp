@@ -207,7 +207,7 @@ SeriesSet newton_series(const Story& story) {
                     },
                     [&](const WrongBranch&) {
                         if (!set.at.empty()) {
-                            set.marks.push_back({set.at.back(), tr("wrong branch left")});
+                            set.marks.push_back({set.at.back(), tr("left the wrong branch")});
                         }
                     },
                 },

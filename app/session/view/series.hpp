@@ -21,7 +21,7 @@ struct Series {
 /// Something that happened at one moment.
 struct Mark {
     double at = 0.0;      ///< on the axis of the set
-    std::string text;     ///< short: "sleeve p1: drop x"
+    std::string text;     ///< short: "sleeve p1: x is left out"
     std::string brief{};  ///< if there is no room for that: "sleeve switches"; empty: there is no shorter one
     std::string many{};   ///< name of several of them if there is no room for each: "switches"; empty: none
 };
@@ -54,8 +54,8 @@ SeriesSet newton_series(const Story& story);
 /// This needs one decomposition per moment, so the result should be kept.
 SeriesSet singular_value_series(const Story& story);
 
-/// Condition of the two rows that are left of each p1 and p2 of `joint` when x, y or z is dropped, and of the
-/// rows in use. NaN where a pair has lost rank. Empty if the joint has no such equations.
+/// Condition of the two rows that are left of each p1 and p2 of `joint` when x, y or z is left out, and of
+/// the rows in use. NaN where a pair has lost rank. Empty if the joint has no such equations.
 SeriesSet condition_series(const Story& story, int joint);
 
 /// Directions of the axis s_i of `joint` over the story from the step in which it is added up to step `last`,

@@ -18,7 +18,8 @@ std::string subscript_number(std::size_t number) {
     return text;
 }
 
-/// "sleeve p1, p2: drop x" for each joint whose choice differs from that in `before`; no text if none does.
+/// "sleeve p1, p2: x is left out" for each joint whose choice differs from that in `before`; no text if none
+/// does.
 Mark switches_between(const System& before, const System& now) {
     struct Switch {
         int joint = 0;
@@ -44,7 +45,7 @@ Mark switches_between(const System& before, const System& now) {
     int joints = 0;
     for (std::size_t k = 0; k < switches.size(); ++k) {
         const Switch& s = switches[k];
-        mark.text += (k == 0 ? "" : "; ") + tr("{0}: drop {1}", s.text, axis_name(s.dropped));
+        mark.text += (k == 0 ? "" : "; ") + tr("{0}: {1} is left out", s.text, axis_name(s.dropped));
         if (k > 0 && switches[k - 1].joint == s.joint) { continue; }
         mark.brief += (k == 0 ? "" : ", ") + joint_of(s.joint).name;
         ++joints;
@@ -83,9 +84,9 @@ void add_change_points(const Story& story, SeriesSet& set) {
 
 std::string why_nothing_moves(const Story& story) {
     if (story.failure() != nullptr) {
-        return tr("Nothing moves here: the mechanism could not be put together.");
+        return tr("Nothing moves here: the mechanism could not be assembled.");
     }
-    return tr("Nothing moves here: the lesson ends once everything is put together.");
+    return tr("Nothing moves here: the lesson ends once the mechanism is assembled.");
 }
 
 /// Indices of the largest and smallest of many singular values, and of the threshold.

@@ -147,12 +147,12 @@ std::string contradiction_of(
     const std::string per = of_rates ? "/s" : "/s²";
     const std::string one = asked_text(system, worst->row, asked(worst->row), per, frame.t);
     const std::string other = asked_text(system, worst->row, implied, per, frame.t);
-    return of_rates
-               ? tr("at t = {0} s {1} is redundant beside {2}, but asks for another rate: {3} instead of {4}",
-                    t, self, others, one, other)
-               : tr("at t = {0} s {1} is redundant beside {2}, but asks for another acceleration: {3} "
-                    "instead of {4}",
-                    t, self, others, one, other);
+    return of_rates ? tr("at t = {0} s the equation of {1} depends linearly on {2}, but requires another "
+                         "rate: {3} instead of {4}",
+                         t, self, others, one, other)
+                    : tr("at t = {0} s the equation of {1} depends linearly on {2}, but requires another "
+                         "acceleration: {3} instead of {4}",
+                         t, self, others, one, other);
 }
 
 /// Contradiction of the velocity equations, or of the acceleration equations where velocities agree.

@@ -150,7 +150,7 @@ std::vector<NewtonRow> newton_rows_of(const Step& step) {
     const auto add = Overloaded{
         [&](const NewtonStep& newton) { rows.push_back(newton_row_of(*step.system, newton)); },
         [&](const WrongBranch&) {
-            if (!rows.empty()) { rows.back().note = tr("wrong branch, left"); }
+            if (!rows.empty()) { rows.back().note = tr("wrong branch: leaving it"); }
         },
     };
     for (const PositionEvent& event : step.events) { std::visit(add, event); }
@@ -215,8 +215,8 @@ std::string velocity_note_of(const Step& step) {
     }
     if (!step.velocity_verdict.unique) {
         return tr(
-            "Velocities are not unique: of all that satisfy the equations, those nearest to the ones before "
-            "are shown.");
+            "Velocities are not unique: of all that satisfy the equations, those nearest to the previous "
+            "ones are shown.");
     }
     return {};
 }

@@ -76,7 +76,7 @@ struct NewtonRow {
     double turn_deg = 0.0;  ///< largest turn of a body in the full step
     double fraction = 1.0;  ///< of the full step taken
     int rank = 0;
-    std::string note;  ///< "closed", "step limited", "wrong branch, left", may be empty
+    std::string note;  ///< "closed", "step limited", "wrong branch: leaving it", may be empty
 };
 
 struct BodyMotion {

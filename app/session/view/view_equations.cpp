@@ -34,13 +34,13 @@ std::string reason_of_rule(const RowChoice& choice, const ChoiceView& view) {
     const std::string name = axis_name(dropped);
     if (dropped == largest) {
         return tr(
-            "The {0} equation is left out, because no component of sᵢ is larger than {0} ({1}): the two that "
-            "stay both contain it, and their condition is {2}.",
+            "The {0} equation is left out, because no component of sᵢ is larger than {0} ({1}): both "
+            "equations kept contain it, and their condition number is {2}.",
             name, size_of(dropped, view), condition_of(dropped, view));
     }
     return tr(
-        "The {0} equation stays out: sᵢ is now longer in {1} ({2} against {3}), but not by enough to switch. "
-        "Condition {4}.",
+        "The {0} equation is still left out: the {1} component of sᵢ is now larger ({2} against {3}), but "
+        "not by enough to switch. Condition number {4}.",
         name, axis_name(largest), size_of(largest, view), size_of(dropped, view),
         condition_of(dropped, view));
 }
@@ -77,9 +77,11 @@ std::string reason_of_taken_out(const RowChoice& choice, const ChoiceView& view)
     }
     if (!std::isfinite(view.form_condition)) {
         return tr(
-            "{0}: two are kept, {1}, and they have lost rank here: one of them says nothing.", text, left);
+            "{0}: two are kept, {1}, and they have lost rank here: one of them is redundant.", text, left);
     }
-    return tr("{0}: two are kept, {1}, with condition {2}.", text, left, number_text(view.form_condition, 3));
+    return tr(
+        "{0}: two are kept, {1}, with the condition number {2}.", text, left,
+        number_text(view.form_condition, 3));
 }
 
 std::string reason_of(const RowChoice& choice, const ChoiceView& view) {
@@ -90,8 +92,8 @@ std::string reason_of(const RowChoice& choice, const ChoiceView& view) {
             return tr("All three equations are kept on purpose: one of them is redundant.");
         case ParallelForm::pair:
             return tr(
-                "Two equations with vectors a and b perpendicular to sᵢ instead: their condition is {0} "
-                "whatever the direction of sᵢ.",
+                "Two equations with vectors a and b perpendicular to sᵢ are used instead: their condition "
+                "number is {0} for any direction of sᵢ.",
                 number_text(choice.form_condition, 3));
         case ParallelForm::drop_x:
         case ParallelForm::drop_y:
@@ -101,12 +103,13 @@ std::string reason_of(const RowChoice& choice, const ChoiceView& view) {
     const std::string size = size_of(choice.dropped, view);
     if (!std::isfinite(view.form_condition)) {
         return tr(
-            "The lesson forces the {0} equation out, where sᵢ has {1}, so the two that stay have lost rank: "
-            "one of them says nothing.",
+            "The lesson leaves out the {0} equation; the {0} component of sᵢ has the size {1}. The two "
+            "equations kept have lost rank: one of them is redundant.",
             name, size);
     }
     return tr(
-        "The lesson forces the {0} equation out, where sᵢ has {1}, and the two that stay have condition {2}.",
+        "The lesson leaves out the {0} equation; the {0} component of sᵢ has the size {1}. The two equations "
+        "kept have the condition number {2}.",
         name, size, number_text(view.form_condition, 3));
 }
 

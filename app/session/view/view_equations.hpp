@@ -19,7 +19,7 @@ struct EquationRow {
     };
     std::string component;  ///< "x", empty for a single equation
     double value = 0.0;     ///< Φ, as it is
-    int row = -1;           ///< of the system, -1 if dropped
+    int row = -1;           ///< of the system, -1 if left out
     Status status = Status::kept;
     int equation = -1;  ///< number among all equations of its joint; -1: of a driver
 };
@@ -29,7 +29,7 @@ struct ChoiceView {
     std::string form;                   ///< "rule", "drop x", ...
     std::array<double, 3> axis_size{};  ///< |s_x|, |s_y|, |s_z| of the unit global axis s_i
     std::array<double, 3>
-        pair_condition{};         ///< of the two rows left when x, y, z is dropped; may be infinite
+        pair_condition{};         ///< of the two rows left when x, y, z is left out; may be infinite
     int dropped = -1;             ///< 0, 1, 2; -1: none
     bool switched = false;        ///< differs from the choice before
     double form_condition = 0.0;  ///< of the rows in use

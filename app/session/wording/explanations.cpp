@@ -28,7 +28,7 @@ std::string branch_text(const System& system, const WrongBranch& wrong) {
 std::string combination_text(const System& system, const RedundantRow& redundant, std::size_t most_terms) {
     std::string text = row_label(system, redundant.row) + " = ";
     if (redundant.terms.empty()) {
-        return tr("{0} = 0: it says nothing here", row_label(system, redundant.row));
+        return tr("{0} = 0: its row is zero here", row_label(system, redundant.row));
     }
     for (std::size_t k = 0; k < redundant.terms.size(); ++k) {
         if (k == most_terms) { return tr("{0} + {1} more", text, redundant.terms.size() - k); }
@@ -78,8 +78,9 @@ std::string departure_text(const System& system, const Departure& d) {
         number_text(d.coefficient, 3) + " " + symbol + kPowers[static_cast<std::size_t>(d.order)];
     const std::string& body = m.bodies[static_cast<std::size_t>(d.body)].name;
     return d.direction == 3
-               ? tr("leaves {0} by {1} (order {2}), φ the turn of {3}", missed, term, d.order, body)
-               : tr("leaves {0} by {1} (order {2}), {3} of {4}", missed, term, d.order, symbol, body);
+               ? tr("violates {0} by {1} (order {2}); φ is the rotation of {3}", missed, term, d.order, body)
+               : tr("violates {0} by {1} (order {2}); {3} is that of {4}", missed, term, d.order, symbol,
+                    body);
 }
 
 const char* verdict_text(FreedomVerdict verdict) {
@@ -94,19 +95,19 @@ const char* verdict_text(FreedomVerdict verdict) {
 std::string leaving_text(const System& system, const FreedomJudgement& judgement) {
     if (!judgement.departure) { return {}; }
     const std::string leaves = departure_text(system, *judgement.departure);
-    return judgement.has_motion_beside ? leaves + "; " + tr("a motion beside it goes on") : leaves;
+    return judgement.has_motion_beside ? leaves + "; " + tr("a nearby motion is finite") : leaves;
 }
 
 std::string undecided_text(const RankReport& report) {
     if (report.decided) { return {}; }
     if (!report.sound) {
         return tr(
-            "The rank cannot be told: the singular values do not pass their check and may be off by {0}.",
+            "The rank is not known: the singular values do not pass their check and may be off by {0}.",
             small_text(report.singular_value_error));
     }
     if (report.typed && !report.typed->is_told) {
         return tr(
-            "The rank cannot be told: the numbers as typed give {0}, others that differ in their last digits "
+            "The rank is not known: the numbers as typed give {0}, others that differ in their last digits "
             "may give {1}. Points, axes and poses need more digits.",
             report.typed->rank_as_typed, report.typed->rank);
     }
@@ -116,8 +117,8 @@ std::string undecided_text(const RankReport& report) {
         report.singular_values(last) - report.pose_error - report.singular_value_error <= report.threshold;
     const Eigen::Index doubtful = may_vanish ? last : last + 1;
     return tr(
-        "The rank cannot be told: a singular value of {0} may be zero or not, since the pose (largest |Φ| "
-        "{1}) decides it only to {2}.",
+        "The rank is not known: a singular value of {0} may or may not be zero, since it is known only to "
+        "within {2} at this pose (largest |Φ| {1}).",
         small_text(report.singular_values(doubtful)), small_text(report.residual),
         small_text(std::max(report.threshold, report.pose_error)));
 }
@@ -126,23 +127,24 @@ std::vector<std::string> doubts_of(const System& system, const RankReport& repor
     std::vector<std::string> doubts;
     if (!report.decided) { doubts.push_back(undecided_text(report)); }
     if (report.typed && report.typed->is_told && report.typed->rank < report.typed->rank_as_typed) {
-        doubts.push_back(tr(
-            "Overconstrained to the digits typed: the numbers as typed give rank {0} and miss by {1} on the "
-            "way; others, within {2} of half a unit of their last digits, give {3} and are used.",
-            report.typed->rank_as_typed, small_text(report.typed->misfit),
-            number_text(report.typed->share, 2), report.typed->rank));
+        doubts.push_back(
+            tr("Overconstrained to the digits typed: the numbers as typed give rank {0}, but violate the "
+               "equations by {1} along the motion. Numbers that differ by at most {2} half units of the last "
+               "digit give rank {3} and are used.",
+               report.typed->rank_as_typed, small_text(report.typed->misfit),
+               number_text(report.typed->share, 2), report.typed->rank));
     }
     for (const RedundantRow& row : report.redundant_rows) {
         if (row.misfit <= row.bound) { continue; }
         doubts.push_back(
-            tr("The combination for {0} misses by {1}, of which rounding explains {2}.",
+            tr("The combination for {0} is off by {1}; rounding explains only {2}.",
                row_label(system, row.row), small_text(row.misfit), small_text(row.bound)));
     }
     for (std::size_t k = 0; k < report.free_motion_proofs.size(); ++k) {
         const FreeMotionProof& proof = report.free_motion_proofs[k];
         if (proof.holds()) { continue; }
         doubts.push_back(
-            tr("Free motion {0} changes the equations by {1}, of which rounding explains {2}.", k + 1,
+            tr("Free motion {0} changes the equations by {1}; rounding explains only {2}.", k + 1,
                small_text(proof.residual), small_text(proof.bound)));
     }
     return doubts;

@@ -22,17 +22,17 @@ std::string combination_text(const System& system, const RedundantRow& redundant
 /// "rod: ω′x 1 (it turns on its own)", or the bodies and columns that take part.
 std::string free_motion_text(const System& system, const FreeMotion& motion);
 
-/// "leaves D by 0.625 y⁵ (order 5), y of rod": in SI, for a free motion of first order.
+/// "violates D by 0.625 y⁵ (order 5); y is that of rod": in SI, for a free motion of first order.
 std::string departure_text(const System& system, const Departure& departure);
 
 /// "finite", "to first order only" or "cannot tell".
 const char* verdict_text(FreedomVerdict verdict);
 
-/// How a free motion leaves the equations, and whether a motion beside it goes on; empty if it does not leave
+/// How a free motion leaves the equations, and whether a nearby motion is finite; empty if it does not leave
 /// them.
 std::string leaving_text(const System& system, const FreedomJudgement& judgement);
 
-/// Why the rank cannot be told; empty if it can.
+/// Why the rank is not known; empty if it is.
 std::string undecided_text(const RankReport& report);
 
 /// Sentences that say what about a rank report is not proved: the rank, combinations with a residual, motions

@@ -104,7 +104,7 @@ std::string joints_text(const System& system, const PositionFailure& failure) {
     for (const int joint : c.joints) { names.push_back(joint_name(system, joint)); }
     const bool one = names.size() == 1;
     const std::string gap =
-        tr("{0} (shared out among all, {1} is off by {2})", gap_text(system, c),
+        tr("{0} (if the error is shared by all, {1} is off by {2})", gap_text(system, c),
            row_label(system, failure.row), small_text(failure.value));
     const std::string text =
         one ? tr("Joint {0} cannot be closed at t = {1} s: {2}.", names.front(), moment_of(failure), gap)
@@ -145,19 +145,20 @@ std::string drivers_text(const System& system, const PositionFailure& failure) {
     if (c.drivers.size() == 1) {
         return tr(
             "Driver {0} leads where the mechanism cannot follow at t = {1} s: it asks for {2}, and the "
-            "nearest that can be reached is {3}, {4} away. Let it end within reach, or change the lengths.",
+            "nearest that can be reached is {3}, {4} away. Let the driver end within reach, or change the "
+            "lengths.",
             last.name, when, asks, finds, apart);
     }
     std::vector<std::string> names;
     for (const int driver : c.drivers) { names.push_back(driver_at(system, driver).name); }
-    const std::string others =
-        c.drivers.size() == 2
-            ? tr("{0} asks for {1} where {2} leads to {3}, {4} apart", last.name, asks, names.front(), finds,
-                 apart)
-            : tr("{0} asks for {1} where the others lead to {2}, {3} apart", last.name, asks, finds, apart);
+    const std::string others = c.drivers.size() == 2
+                                   ? tr("{0} asks for {1}, but {2} leads to {3}, a difference of {4}",
+                                        last.name, asks, names.front(), finds, apart)
+                                   : tr("{0} asks for {1}, but the others lead to {2}, a difference of {3}",
+                                        last.name, asks, finds, apart);
     return tr(
-        "Drivers {0} contradict each other at t = {1} s: {2}. Leave one of them out, or make their "
-        "functions agree.",
+        "Drivers {0} contradict each other at t = {1} s: {2}. Take one of them out, or make their functions "
+        "agree.",
         listed(names), when, others);
 }
 
@@ -196,27 +197,26 @@ std::string turning_point_text(const System& system, const PositionFailure& fail
     const DriverConstraint* moving = only_moving_driver(system, failure.t);
     const Driver& driver = driver_at(system, (moving != nullptr ? *moving : system.drivers().front()).driver);
     return followed(
-        tr("The motion turns back at t = {0} s: on the branch of the start, {1} cannot lead beyond {2}.",
+        tr("The motion turns back at t = {0} s: on the branch of the start pose, driver {1} cannot go beyond "
+           "{2}.",
            moment_of(failure), driver.name, measure_text(driver, driver.function.at(failure.t).f, digits_of)),
-        tr("Let it end within reach, or change the lengths."));
+        tr("Let the driver end within reach, or change the lengths."));
 }
 
 std::string likely_turning_point_text(const PositionFailure& failure) {
     return followed(
         tr("It seems that the motion turns back at t = {0} s, and that no pose on the branch of the start "
-           "lies "
-           "beyond; this is not proved.",
+           "pose lies beyond; this is not proved.",
            moment_of(failure)),
         tr("Let the drivers end there, or change the lengths."));
 }
 
 std::string undecided_text(const PositionFailure& failure) {
     return followed(
-        tr("At t = {0} s branches of the motion come so near to each other that rounding hides which one "
-           "leads "
-           "on.",
+        tr("At t = {0} s branches of the motion come so near to each other that rounding hides on which one "
+           "it continues.",
            moment_of(failure)),
-        tr("Lengths that differ by more, or another driver, decide it."));
+        tr("Make the lengths differ by more, or use another driver."));
 }
 
 std::string no_convergence_text(const System& system, const PositionFailure& failure) {
@@ -225,8 +225,8 @@ std::string no_convergence_text(const System& system, const PositionFailure& fai
         failure.residual >= kHolds
             ? tr("Newton-Raphson did not converge at t = {0} s within {1}: {2} is off by {3}.",
                  moment_of(failure), within, row_label(system, failure.row), small_text(failure.value))
-            : tr("Newton-Raphson did not converge at t = {0} s within {1}: the pose that it found satisfies "
-                 "the equations, but this pose does not lead there.",
+            : tr("Newton-Raphson did not converge at t = {0} s within {1}: it found a pose that satisfies "
+                 "the equations but cannot be reached from the present one.",
                  moment_of(failure), within);
     return followed(
         text, system.drivers().empty() ? tr("It is not known whether a pose satisfies all equations; a start "

@@ -38,7 +38,7 @@ std::string absence_text(Absence absence) {
         case Absence::not_unique: return tr("it is not unique: redundant equations leave it open");
         case Absence::not_there: return tr("its joint or driver is not present here");
         case Absence::no_motion_of_it: return tr("the pose is not part of the motion by masses and forces");
-        case Absence::rank_lost: return tr("the rows have lost rank, so there is no condition");
+        case Absence::rank_lost: return tr("the rows have lost rank, so they have no condition number");
         case Absence::singular: break;
     }
     return tr("it is not differentiable here");

@@ -85,7 +85,7 @@ TEST_CASE("No English sentence is said of an answer in Chinese", "[exercises][me
         }
         // what cannot be read in a file is told by the reader of lessons, whose diagnostics are English
         const bool of_files = exercise.kind == ExerciseKind::repair || exercise.kind == ExerciseKind::build;
-        const std::string not_found = tr("What is asked for cannot be found in the file: {0}.", "");
+        const std::string not_found = tr("The file does not contain what the exercise asks for: {0}.", "");
         for (const Handed& handed : answers) {
             const std::string text = said_of(task, handed);
             const bool diagnosed = text.find(".toml:") != std::string::npos ||

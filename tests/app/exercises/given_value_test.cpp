@@ -115,8 +115,7 @@ TEST_CASE("A comma is decimal where so many numbers are expected", "[exercises]"
         CHECK(given.value(0, 0) == first);
         CHECK(std::abs(given.value(given.value.rows() - 1, given.value.cols() - 1) - last) < 1e-12);
     }
-    CHECK(
-        read_given_value("[30 deg, 40 deg]", "deg", 2).problem.find("behind the list") != std::string::npos);
+    CHECK(read_given_value("[30 deg, 40 deg]", "deg", 2).problem.find("after the list") != std::string::npos);
 }
 
 TEST_CASE("What cannot be read is refused with the reason, and nothing crashes", "[exercises]") {

@@ -73,7 +73,7 @@ TEST_CASE("NaN costs a program the states in which it is written, and is named",
         const Judged judged = judge_output(shipped.task, {output, {}});
         CHECK(judged.understood);
         CHECK_FALSE(judged.right);
-        CHECK(judged.feedback.front() == "23 of 24 states are right.");
+        CHECK(judged.feedback.front() == "23 of 24 cases are right.");
         CHECK(judged.share == Approx(0.5 * 23 / 24));
         const bool named = std::ranges::any_of(judged.feedback, [](const std::string& sentence) {
             return sentence.find("1 answer has NaN or infinity") != std::string::npos;
@@ -100,7 +100,7 @@ TEST_CASE("Too few or too many answers cost a program only the states without on
     CHECK(fewer.share == Approx(0.5 * 21 / 24));
     CHECK(fewer.mistake.empty());
     CHECK(fewer.feedback.front().starts_with("There are 21 answers; expected 24"));
-    CHECK(fewer.feedback.back() == "21 of 24 states are right.");
+    CHECK(fewer.feedback.back() == "21 of 24 cases are right.");
 
     const Judged more = judge_output(shipped.task, {with_answers(right, 26), {}});
     CAPTURE(more.feedback);
@@ -116,7 +116,7 @@ TEST_CASE("Too few or too many answers cost a program only the states without on
 TEST_CASE("A known mistake is named although answers are missing, if a random state has one", "[exercises]") {
     const Shipped shipped("jacobians.toml", "n1-row-code");
     const HandedMistake mistake = mistaken_outputs(shipped.task).front();
-    // the first four states are special: there mistakes may agree
+    // the first four cases are special: there mistakes may agree
     CHECK(judge_output(shipped.task, {with_answers(mistake.handed.text, 3), {}}).mistake.empty());
     for (const std::size_t count : {5U, 23U, 25U}) {
         CAPTURE(count);

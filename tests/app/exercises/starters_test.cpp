@@ -141,9 +141,10 @@ TEST_CASE(
         CHECK_FALSE(bytes_of(folder.path(std::string("out/ann/starters/") + name)).empty());
     }
     CHECK_THAT(
-        bytes_of(folder.path("out/ann/sheet.md")), Catch::Contains("a starter in the folder starters"));
+        bytes_of(folder.path("out/ann/sheet.md")),
+        Catch::Contains("The starter program in the folder starters"));
     CHECK_THAT(
-        bytes_of(folder.path("out/ann/solution/sheet.html")), Catch::Contains("It is tried in 24 states"));
+        bytes_of(folder.path("out/ann/solution/sheet.html")), Catch::Contains("It is tested in 24 cases"));
 }
 
 }  // namespace jw::test

@@ -73,7 +73,7 @@ TEST_CASE("A long lesson is told beside the pictures", "[long]") {
     CHECK(shown_by(person.session()) == shown_by(expected));
 }
 
-TEST_CASE("A long lesson is given up by Escape, and what was open stays", "[long]") {
+TEST_CASE("A long lesson is given up by Escape, and the open lesson stays", "[long]") {
     Person person("loops/four-bar.toml");
     const std::string before = shown_by(person.session());
     const auto path = row_of(person, kEndless);

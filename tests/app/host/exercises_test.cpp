@@ -171,7 +171,7 @@ TEST_CASE(
     student.answer(mistakes.front().handed.text);
     CHECK(tells("In the field: " + mistakes.front().handed.text));
     CHECK(tells("Not correct: "));
-    CHECK(tells("These entries differ: "));
+    CHECK(tells("These entries are wrong: "));
     student.person.ask(Command::exercise_anew);
     student.wait();
     CHECK_FALSE(tells("Not correct"));

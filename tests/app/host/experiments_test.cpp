@@ -125,7 +125,7 @@ TEST_CASE("A motor goes with its joint, and is refused before it") {
     CHECK(person.session().lesson().order.size() == 3);
     use(person, {"driver", 0, "##present"});
     CHECK(person.session().lesson().order.size() == 3);
-    CHECK(person.host().notice().text().find("put that back first") != std::string::npos);
+    CHECK(person.host().notice().text().find("put A back first") != std::string::npos);
 }
 
 TEST_CASE(
@@ -261,7 +261,7 @@ TEST_CASE("A free motion of a hinge goes on") {
     CHECK(person.session().step().state.r[2] == before);
 }
 
-TEST_CASE("The nut follows the screw through half a turn with the sound row, and not with the cos row") {
+TEST_CASE("The nut follows the screw through half a turn with the rotation row, and not with the cos row") {
     Person person("joints/screw.toml");
     const auto largest = [&] {
         double theta = 0.0;

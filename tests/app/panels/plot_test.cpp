@@ -39,8 +39,8 @@ SeriesSet waves() {
     add(set, "coupler.r_dot.y", "m/s", [](double t) { return std::cos(3.0 * t); });
     add(set, "crank.angle", "deg", [](double t) { return 120.0 * t; });
     set.marks = {
-        {1.0, "sleeve p1: drop x", "sleeve switches"},
-        {1.05, "wrist p1: drop x", "wrist switches"},
+        {1.0, "sleeve p1: x is left out", "sleeve switches"},
+        {1.05, "wrist p1: x is left out", "wrist switches"},
         {3.0, "change point"}};
     return set;
 }
@@ -85,7 +85,7 @@ SeriesSet single() {
 SeriesSet nothing() {
     SeriesSet set;
     set.axis = "t [s]";
-    set.why_empty = "Nothing moves here: the lesson ends once everything is put together.";
+    set.why_empty = "Nothing moves here: the lesson ends once the mechanism is assembled.";
     return set;
 }
 
@@ -308,9 +308,10 @@ TEST_CASE("marks that would bury the curves become one stretch with their number
     SeriesSet set = waves();
     set.marks = {{0.1, "change point"}};
     for (int k = 0; k < 60; ++k) {
-        set.marks.push_back({1.0 + 0.01 * k, "sleeve p1: drop x", "sleeve switches", "switches of rows"});
+        set.marks.push_back(
+            {1.0 + 0.01 * k, "sleeve p1: x is left out", "sleeve switches", "switches of rows"});
     }
-    set.marks.push_back({2.8, "wrist p1: drop x", "wrist switches", "switches of rows"});
+    set.marks.push_back({2.8, "wrist p1: x is left out", "wrist switches", "switches of rows"});
     const PlotLayout layout = layout_plot(surface.canvas(), {10.0F, 20.0F, 760.0F, 420.0F}, set, {});
     REQUIRE(layout.marks.size() == 3);
     CHECK(layout.marks[1].count == 60);

@@ -33,7 +33,7 @@ TEST_CASE("every line fits, and nothing is lost by wrapping", "[panels][text]") 
     const Surface surface;
     const ImFont& font = *surface.fonts().normal;
     const std::string text =
-        "The largest equation is D · s · x = −0.065 and an_endless_word_that_fits_no_line_of_this_width "
+        "The largest residual is D · s · x = −0.065 and an_endless_word_that_fits_no_line_of_this_width "
         "ends.";
     const float width = GENERATE(60.0F, 120.0F, 300.0F, 2000.0F);
     std::string joined;
@@ -53,7 +53,7 @@ TEST_CASE("names with dots and equations stay on one line where it is wide enoug
     const ImFont& font = *surface.fonts().normal;
     const std::string unit = "D · s · x = −0.065";
     const float width = text_width(font, unit + " is");
-    for (const std::string& line : wrapped(font, "The largest equation there is is " + unit, width)) {
+    for (const std::string& line : wrapped(font, "The largest residual there is is " + unit, width)) {
         CHECK((line.find("D · s") == std::string::npos || line == unit));
     }
 }

@@ -40,9 +40,8 @@ EquationGroup parallel(const char* name, const char* formula) {
     choice.pair_condition = {kInfinity, 1.7, 1.25};
     choice.dropped = 2;
     choice.reason =
-        "The z equation is left out, because |sz| = 0.8 is the largest component of sᵢ: the two that stay "
-        "both "
-        "contain it, and their condition is 1.25.";
+        "The z equation is left out, because no component of sᵢ is larger than z (0.8): both equations kept "
+        "contain it, and their condition number is 1.25.";
     group.choice = choice;
     return group;
 }
@@ -206,7 +205,7 @@ View overlong(Step::Kind kind) {
     fill_newton(view, 60);
     for (NewtonRow& row : view.newton) {
         row.largest_row = name;
-        row.note = "wrong branch left: " + words;
+        row.note = "wrong branch: leaving it " + words;
     }
     fill_bodies(view, 70);
     for (BodyMotion& body : view.bodies) { body.body = name; }

@@ -116,7 +116,7 @@ TEST_CASE("a mark stands where the rows were chosen anew", "[app][series]") {
     // the lesson's own words: at 67.3, 187.3 and 307.3 deg of 60 deg/s; the first moment after it
     const double interval = 6.0 / 240.0;
     const std::vector<std::string> texts{
-        "sleeve p1, p2: drop x", "sleeve p1, p2: drop y", "sleeve p1, p2: drop z"};
+        "sleeve p1, p2: x is left out", "sleeve p1, p2: y is left out", "sleeve p1, p2: z is left out"};
     for (std::size_t k = 0; k < 3; ++k) {
         const double exact = (67.3 + 120.0 * static_cast<double>(k)) / 60.0;
         CHECK(set.marks[k].at > exact - 1e-3);  // of the three digits in 67.3
@@ -158,7 +158,7 @@ TEST_CASE("a wrong branch that was left is marked", "[app][series]") {
     const Story story(lesson, poses_only());
     const SeriesSet set = newton_series(story);
     REQUIRE(set.marks.size() == 1);
-    CHECK(set.marks[0].text == "wrong branch left");
+    CHECK(set.marks[0].text == "left the wrong branch");
 }
 
 TEST_CASE("singular values over time are those of the ranks, with their threshold", "[app][series]") {

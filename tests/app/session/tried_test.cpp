@@ -169,8 +169,8 @@ TEST_CASE(
 TEST_CASE("A place that no file can say is refused with the reason", "[app][session]") {
     Session session(without_motion(lesson_named("loops/four-bar")));
     for (const auto& [text, why] :
-         {std::pair{"place crank turned 1 1 0 0", "Euler parameters of length 1"},
-          std::pair{"place crank turned 0 0 0 0", "Euler parameters of length 1"},
+         {std::pair{"place crank turned 1 1 0 0", "the Euler parameters must have length 1"},
+          std::pair{"place crank turned 0 0 0 0", "the Euler parameters must have length 1"},
           std::pair{"place ground at 0 0 1", "ground is fixed: it has no unknowns."}}) {
         const ExperimentResult result = carry_out(session, text);
         INFO(text << ": " << result.said);

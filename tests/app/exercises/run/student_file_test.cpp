@@ -34,7 +34,7 @@ TEST_CASE("Two programs for one exercise are refused", "[run]") {
     CHECK(search.reason.find("'task.py' and 'task.cpp'") != std::string::npos);
 }
 
-TEST_CASE("What is no plain file is refused", "[run]") {
+TEST_CASE("What is not a regular file is refused", "[run]") {
     const Scratch folder;
     const std::string target = folder.file("bob.py", "answer = 42");
     fs::create_symlink(target, folder / "link.py");
