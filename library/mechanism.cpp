@@ -155,6 +155,10 @@ int Mechanism::add_joint(
     joint.name = name;
     joint.type = jw::find_joint_type(type);
     expect(joint.type != nullptr, "there is no joint type '" + type + "'; joint_types() lists them");
+    expect(
+        !joint.type->has_formula(), "the equation of a joint of type '" + type +
+                                        "' is text, which only lessons contain; expected another type, or "
+                                        "read_lesson_text() of a lesson with this joint");
     joint.body_i = body_i;
     joint.body_j = body_j;
     const jw::BodyPair pair{
@@ -230,7 +234,9 @@ std::vector<std::string> Mechanism::driver_names() const { return names_of(insid
 
 std::vector<std::string> joint_types() {
     std::vector<std::string> names;
-    for (const jw::JointType& type : jw::kJointTypes) { names.emplace_back(type.name); }
+    for (const jw::JointType& type : jw::kJointTypes) {
+        if (!type.has_formula()) { names.emplace_back(type.name); }
+    }
     return names;
 }
 

@@ -163,7 +163,10 @@ void add_mechanism(py::module_& module) {
         .def("__repr__", &text_of);
     add_building(type);
     add_forces(type);
-    module.def("joint_types", &joint_types, "The names of all types of joints.");
+    module.def(
+        "joint_types", &joint_types,
+        "Names of the joint types that `add_joint` takes: all but 'formula', whose equation is text in a "
+        "lesson.");
 }
 
 }  // namespace jointwise::python

@@ -147,8 +147,8 @@ struct Driven {
 };
 
 using LinkPrimitive = std::variant<
-    N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewTurned, RackTurned, GearTurned, CurveFollowed,
-    Driven>;
+    N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, FormulaEquation, ScrewTurned, RackTurned, GearTurned,
+    CurveFollowed, Driven>;
 
 /// Equations of one primitive between two bodies, in the rows of its link from `first_row` on.
 struct LinkEquation {

@@ -5,6 +5,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/elementary/elementary.hpp"
+#include "core/jets/body_kinematics.hpp"
+#include "core/jets/euler_parameters.hpp"
+
 namespace jw {
 
 namespace {
@@ -15,6 +19,31 @@ int equations_of(const Primitive& primitive) {
 
 double unit_of(const Primitive& primitive, double length) {
     return std::visit([&](const auto& p) { return p.unit(length); }, primitive);
+}
+
+/// Sizes of the gradient of a formula by positions and by turns: the largest ones at the start poses and with
+/// body j turned by a radian, so that a pose at which the gradient is 0 does not decide.
+void set_size(FormulaEquation& formula, const Body& body_i, const Body& body_j) {
+    using Number = BodyKinematics<OmegaLocal>;
+    const Number i = kinematics_at<OmegaLocal>(body_i.r, body_i.p);
+    double by_length = 0.0;
+    double by_turn = 0.0;
+    for (int turned = 0; turned < 4; ++turned) {
+        Vec4 turn = Vec4::Unit(0);
+        if (turned > 0) {
+            const auto [sine, cosine] = elementary::sine_and_cosine(0.5);
+            turn = cosine * Vec4::Unit(0) + sine * Vec4::Unit(turned);
+        }
+        const Number j = kinematics_at<OmegaLocal>(body_j.r, product(body_j.p, turn));
+        const auto jet = equations<Content::jacobian>(formula, i, j, Theta{});
+        for (const auto& block : {jet.block_i, jet.block_j}) {
+            if (!block.allFinite()) { continue; }
+            by_length = std::max(by_length, block.leftCols<3>().norm());
+            by_turn = std::max(by_turn, block.rightCols<3>().norm());
+        }
+    }
+    formula.by_length = by_length;
+    formula.by_turn = by_length > 0.0 || by_turn > 0.0 ? by_turn : 1.0;
 }
 
 void require_index(int index, std::size_t size, const char* what) {
@@ -74,6 +103,12 @@ void System::add_joint(int joint, int theta) {
         c.body_j = j.body_j;
         c.theta = theta;
         c.equations = equations_of(c.primitive);
+        if (auto* formula = std::get_if<FormulaEquation>(&c.primitive)) {
+            if (formula->formula.steps.empty()) {
+                throw std::invalid_argument("joint '" + j.name + "' has no formula");
+            }
+            set_size(*formula, mechanism_->bodies[at(j.body_i)], mechanism_->bodies[at(j.body_j)]);
+        }
         c.unit = unit_of(c.primitive, length_unit_);
         for (const EquationOut& out : j.without) {
             if (out.role == role && out.component >= 0 && out.component < c.equations) {

@@ -129,9 +129,9 @@ double ScalarFormula::size_at(std::span<const double> variables) const {
     return sizes.back();
 }
 
-bool ScalarFormula::uses(int variable) const {
+bool ScalarFormula::uses_any(int first, int last) const {
     return std::ranges::any_of(steps, [&](const FormulaStep& step) {
-        return step.kind == FormulaStep::Kind::variable && step.number == variable;
+        return step.kind == FormulaStep::Kind::variable && step.number >= first && step.number < last;
     });
 }
 

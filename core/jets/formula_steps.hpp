@@ -51,7 +51,9 @@ struct ScalarFormula {
     /// Size of the terms of which the value is made: its rounding is relative to it.
     double size_at(std::span<const double> variables) const;
     /// True if a step takes the variable with this index.
-    bool uses(int variable) const;
+    bool uses(int variable) const { return uses_any(variable, variable + 1); }
+    /// True if a step takes a variable with an index from `first` to before `last`.
+    bool uses_any(int first, int last) const;
 
     /// Value and first derivatives of a formula of x and its rate, at rate 0.
     struct Slopes {

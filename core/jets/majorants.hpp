@@ -123,13 +123,19 @@ inline TaylorSeries of_bounded_function(const TaylorSeries& x) {
     return out;
 }
 
-inline DerivativeBounds of_bounded_function(const DerivativeBounds& x) {
-    DerivativeBounds out = x;
+/// Bounds of f(x) for a function whose first and second derivatives have these bounds.
+inline DerivativeBounds chain(const DerivativeBounds& x, double first, double second) {
+    DerivativeBounds out;
     for (std::size_t c = 0; c < kBlocks; ++c) {
-        for (std::size_t d = 0; d < kBlocks; ++d) { out.second[c][d] += x.first[c] * x.first[d]; }
+        out.first[c] = first * x.first[c];
+        for (std::size_t d = 0; d < kBlocks; ++d) {
+            out.second[c][d] = first * x.second[c][d] + second * x.first[c] * x.first[d];
+        }
     }
     return out;
 }
+
+inline DerivativeBounds of_bounded_function(const DerivativeBounds& x) { return chain(x, 1.0, 1.0); }
 
 inline double length_of(double top, double bottom) { return std::sqrt(top * top + bottom * bottom); }
 
@@ -152,6 +158,18 @@ B stacked(B top, const B& bottom) {
 template <class J>
 void set_size(J& jet, double most) {
     jet.size = std::min(jet.value.norm() + jet.away, most);
+}
+
+/// Takes all bounds away: no comparison with a number that is not finite proves anything.
+template <class J>
+void set_unbounded(J& jet) {
+    jet.away = jet.size = HUGE_VAL;
+    if constexpr (requires { jet.bounds.second; }) {
+        jet.bounds.first.fill(HUGE_VAL);
+        for (auto& row : jet.bounds.second) { row.fill(HUGE_VAL); }
+    } else {
+        jet.bounds.fill(HUGE_VAL);
+    }
 }
 
 template <Content K, int Dim, unsigned S, class A, class B>
@@ -228,6 +246,38 @@ Jet<Majorants, K, 1, S> scaled(double factor, const Jet<Majorants, K, 1, S>& x) 
     out.away = std::abs(factor) * x.away;
     out.size = std::abs(factor) * x.size;
     out.bounds = detail::product(std::abs(factor), none, 0.0, x.bounds);
+    return out;
+}
+
+template <Content K, unsigned S>
+void set_constant(Jet<Majorants, K, 1, S>& out, double x) {
+    out.value(0) = x;
+    detail::set_size(out, HUGE_VAL);
+}
+
+/// Function of one operand: its derivatives between the bounds of the operand, and the chain rule. Where they
+/// have no bound, nothing has one.
+template <Content K, unsigned S>
+Jet<Majorants, K, 1, S> applied(const FormulaStep& step, const Jet<Majorants, K, 1, S>& x) {
+    const double middle = x.value(0);
+    const Interval range = Interval{middle, middle} + Interval{-x.away, x.away};
+    const auto f = formula_steps::result_of(step, Taylor<Interval, 5>::variable(range)).c;
+    Jet<Majorants, K, 1, S> out;
+    out.value(0) = formula_steps::result_of(step, Taylor<double, 1>::constant(middle)).c[0];
+    if (!std::ranges::all_of(f, &Interval::is_bounded)) {
+        detail::set_unbounded(out);
+        return out;
+    }
+    out.away = f[1].magnitude() * x.away;
+    detail::set_size(out, f[0].magnitude());
+    if constexpr (K == Content::motion) {
+        // Σ |f_n| w^n, by Horner's rule
+        for (std::size_t n = f.size(); --n > 0;) {
+            out.bounds = detail::product(f[n].magnitude(), out.bounds, 0.0, x.bounds);
+        }
+    } else {
+        out.bounds = detail::chain(x.bounds, f[1].magnitude(), 2.0 * f[2].magnitude());
+    }
     return out;
 }
 

@@ -163,6 +163,28 @@ Jet<PowerSeries, K, 1, S> scaled(double factor, const Jet<PowerSeries, K, 1, S>&
 }
 
 template <Content K, unsigned S>
+void set_constant(Jet<PowerSeries, K, 1, S>& out, double x) {
+    out.value(0) = x;
+    out.size(0) = std::abs(x);
+}
+
+/// Function of one operand: its Taylor series Σ f_n (x - x_0)^n, by Horner's rule.
+template <Content K, unsigned S>
+Jet<PowerSeries, K, 1, S> applied(const FormulaStep& step, const Jet<PowerSeries, K, 1, S>& x) {
+    using Series = Taylor<double, kOrders>;
+    const auto f = formula_steps::result_of(step, Series::variable(x.value(0))).c;
+    Jet<PowerSeries, K, 1, S> change = x;
+    set_constant(change, 0.0);
+    Jet<PowerSeries, K, 1, S> out;
+    for (std::size_t n = f.size(); n-- > 0;) {
+        out = dot(out, change);
+        out.value(0) += f[n];
+        out.size(0) += std::abs(f[n]);
+    }
+    return out;
+}
+
+template <Content K, unsigned S>
 Jet<PowerSeries, K, 4, S> parameters(const BodyKinematics<PowerSeries>& body) {
     Jet<PowerSeries, K, 4, S> out;
     detail::set_coefficients(out, body.p);

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <variant>
 
+#include "core/jets/formula_equation.hpp"
 #include "core/jets/wheels_and_curves.hpp"
 
 /// The primitive constraints: each is its data and one line. Value, Jacobian in every coordinate choice
@@ -242,8 +243,9 @@ struct ScrewAngle {
     }
 };
 
-using Primitive =
-    std::variant<N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewAdvance, ScrewAngle, Wheel, OnCurve>;
+using Primitive = std::variant<
+    N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, FormulaEquation, ScrewAdvance, ScrewAngle, Wheel,
+    OnCurve>;
 
 template <Content K, class C>
 auto equations(

@@ -48,6 +48,9 @@ Primitive primitive_of(Role role, const JointGeometry& g, ParallelForm form) {
         case Role::distance_perpendicular_j: return N2J{g.s_j_local, g.P_i_local, g.P_j_local};
         case Role::sides_perpendicular: return N1{g.h_i_local, g.h_j_local};
         case Role::length: return Distance{g.P_i_local, g.P_j_local, g.length};
+        case Role::formula:
+            return FormulaEquation{g.formula,   g.s_i_local, g.s_j_local, g.u_i_local, g.u_j_local,
+                                   g.P_i_local, g.P_j_local, g.O_i_local, g.O_j_local};
         case Role::screw_advance:
         case Role::rack_advance:
             return ScrewAdvance{

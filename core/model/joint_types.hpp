@@ -22,6 +22,7 @@ enum class Role {
     distance_perpendicular_j,  ///< n2(s_j, d)
     sides_perpendicular,       ///< n1(h), h perpendicular to the axis
     length,                    ///< d·d = L²
+    formula,                   ///< of the author
     screw_advance,             ///< r of slide 11
     screw_angle,               ///< θ of slide 11
     wheel_i,                   ///< θ, from the line of centres to u_i
@@ -46,7 +47,7 @@ enum Vectors : unsigned {
 };
 
 /// Dimension of Φ for unit axes: a number, a length [m] or its square [m²].
-enum class Dimension { none, length, square };
+enum class Dimension { none, length, square, of_author };
 
 /// Name and parts of the equations of a role.
 struct RoleTraits {
@@ -67,6 +68,7 @@ inline constexpr std::array kRoles{
     RoleTraits{Role::distance_perpendicular_j, "n2 j", 1, kAxisJ | kD, Dimension::length},
     RoleTraits{Role::sides_perpendicular, "n1", 1, kSidesH, Dimension::none},
     RoleTraits{Role::length, "d", 1, kD, Dimension::square},
+    RoleTraits{Role::formula, "f", 1, kD | kAxisI | kAxisJ | kSidesU, Dimension::of_author},
     RoleTraits{Role::screw_advance, "r", 1, kAxisI | kD, Dimension::length},
     RoleTraits{Role::screw_angle, "θ", 1, kAxisI | kSidesU, Dimension::none},
     RoleTraits{Role::wheel_i, "θ i", 1, kAxisI | kSidesU | kD, Dimension::length},
@@ -110,7 +112,11 @@ struct JointGeometry {
     /// on their line at the same time.
     Vec3 u_i_local = Vec3::UnitX();
     Vec3 u_j_local = Vec3::UnitX();
-    double length = 0.0;   ///< [m]
+    double length = 0.0;    ///< [m]
+    ScalarFormula formula;  ///< Φ of a formula joint, of the components of FormulaVector
+    /// Points of r_i and r_j in a formula [m]: not 0 if the frames were moved to the centres of mass.
+    Vec3 O_i_local = Vec3::Zero();
+    Vec3 O_j_local = Vec3::Zero();
     double alpha = 0.0;    ///< screw: advance per radian [m/rad]; rack: the radius of its wheel
     double d_0 = 0.0;      ///< screw and rack [m]
     double theta_0 = 0.0;  ///< screw and rack [rad]
@@ -188,6 +194,8 @@ struct JointType {
     constexpr bool has_angle() const { return uses(Role::axes_parallel) && !uses(Role::sides_perpendicular); }
     /// Its sides are the u from which an angle is measured, not the h of an n1.
     constexpr bool has_marks() const { return has_angle() || uses(kSidesU); }
+    /// Its equation is the author's; all vectors are optional.
+    constexpr bool has_formula() const { return uses(Role::formula); }
     constexpr bool has_curve() const { return uses(Role::curve_x); }
     /// Its artificial coordinate is no angle about its axis: that of a wheel, or the parameter of a curve.
     constexpr bool has_own_coordinate() const { return artificial > 0 && !has_angle(); }
@@ -215,6 +223,7 @@ inline constexpr std::array screw{
 inline constexpr std::array fixed{Role::same_point, Role::axes_parallel, Role::sides_perpendicular};
 inline constexpr std::array planar{Role::axes_parallel, Role::distance_perpendicular};
 inline constexpr std::array distance{Role::length};
+inline constexpr std::array formula{Role::formula};
 inline constexpr std::array n1{Role::axes_perpendicular};
 inline constexpr std::array n2{Role::distance_perpendicular};
 inline constexpr std::array p1{Role::axes_parallel};
@@ -254,6 +263,7 @@ inline constexpr std::array kJointTypes{
     JointType{"planar", roles::planar, 3, motions::planar, 0, JointGlyph::plate, "p1, n2"},
     JointType{"distance", roles::distance, 5, motions::none, 0, JointGlyph::rod,
               "book ch. 7, spherical-spherical"},
+    JointType{"formula", roles::formula, 5, motions::none, 0, JointGlyph::none, "an equation of your own"},
     JointType{"n1", roles::n1, 5, motions::none, 0, JointGlyph::none, "slide 2"},
     JointType{"n2", roles::n2, 5, motions::none, 0, JointGlyph::none, "slide 2"},
     JointType{"p1", roles::p1, 4, motions::none, 0, JointGlyph::none, "slide 3"},

@@ -23,7 +23,8 @@ void set_sides(const BodyPair& pair, const JointType& type, const Vec3& side, Jo
     const Vec3 axis_j = rotation_of(*pair.j) * geometry.s_j_local.normalized();
     const Vec4 p = euler_parameters_between(axis, axis_j);
     const Mat3 back = Eigen::Quaterniond(p(0), p(1), p(2), p(3)).toRotationMatrix();
-    const Vec3 other = type.has_angle() ? side : axis.cross(side);
+    const bool is_same = type.has_angle() || type.has_formula();
+    const Vec3 other = is_same ? side : axis.cross(side);
     // a joint has one side vector in each body: u, from which its angle is measured, or the h of its n1
     geometry.h_i_local = geometry.u_i_local = pair.vector_i(side);
     geometry.h_j_local = geometry.u_j_local = pair.vector_j(back * other);

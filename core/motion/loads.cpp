@@ -84,6 +84,8 @@ Centroidal centroidal(const Mechanism& mechanism, const Loads& loads) {
     for (Joint& joint : out.mechanism.joints) {
         joint.geometry.P_i_local -= centre(joint.body_i);
         joint.geometry.P_j_local -= centre(joint.body_j);
+        joint.geometry.O_i_local -= centre(joint.body_i);
+        joint.geometry.O_j_local -= centre(joint.body_j);
     }
     for (Driver& driver : out.mechanism.drivers) {
         move(driver.measure, centre(driver.body_i), centre(driver.body_j));

@@ -80,6 +80,7 @@ double gap_of(const System& system, const Constraint& c, const State& state) {
     switch (traits_of(c.role).dimension) {
         case Dimension::none: return elementary::asin(std::min(1.0, values.norm() / c.unit));
         case Dimension::length: return values.norm() * system.length_unit() / c.unit;
+        case Dimension::of_author: return values.norm();
         case Dimension::square: break;
     }
     return std::abs(length_of(values(0) + g.length * g.length) - g.length);

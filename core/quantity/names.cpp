@@ -138,6 +138,7 @@ std::string_view word_of(Role role) {
         case Role::distance_perpendicular: return "n2";
         case Role::distance_perpendicular_j: return "n2j";
         case Role::length: return "d";
+        case Role::formula: return "f";
         case Role::screw_advance:
         case Role::rack_advance: return "r";
         case Role::wheel_i:

@@ -99,16 +99,16 @@ def series(poly, coefficient, size):
     """Sum of coefficient(n) poly^n from n = 0 on, where |coefficient(n)| <= 1; size < 1 bounds the polynomial."""
     if not size.b < 1:
         raise Wrong("a formula changes too much over the step")
-    value, power = Poly(ZERO), Poly(ONE)
-    for n in range(40):
+    value, power, terms = Poly(ZERO), Poly(ONE), 40 if len(poly.c) > 1 else 1  # of a constant, which is 0, the first
+    for n in range(terms):
         value, power = value + power.times(coefficient(n)), power * poly
-    return value + Poly(AROUND * size**40 / (ONE - size))
+    return value + Poly(AROUND * size**terms / (ONE - size))
 
 
 def change_of(p):
     """p = c (1 + d): d, where c is not zero."""
     if 0 in p.c[0]:
-        raise Wrong("a formula of a driver has no value")
+        raise Wrong("a formula has no value")
     return Poly(ZERO, *p.c[1:]).times(ONE / p.c[0])
 
 
@@ -119,6 +119,8 @@ def reciprocal(p):
 
 def logarithm(p):
     d = change_of(p)
+    if p.c[0] < 0:
+        raise Wrong("a formula has no value")
     return Poly(iv.log(p.c[0])) + series(d, lambda n: ZERO if n == 0 else -ONE * (-1) ** n / n, d.bound())
 
 
@@ -170,25 +172,59 @@ OF_ONE = {
     "sqrt": lambda p: power(p, 0.5),
     "abs": lambda p: absolute(p),
 }
-OF_TWO = {"+": lambda p, q: p + q, "-": lambda p, q: p - q, "*": lambda p, q: p * q, "/": lambda p, q: p * reciprocal(q)}
+SLOPE_OF = {
+    "negative": lambda p: Poly(-ONE),
+    "sin": OF_ONE["cos"],
+    "cos": lambda p: OF_ONE["sin"](p).times(-ONE),
+    "tan": lambda p: power(OF_ONE["cos"](p), -2),
+    "arcsin": lambda p: power(Poly(ONE) - p * p, -0.5),
+    "arccos": lambda p: power(Poly(ONE) - p * p, -0.5).times(-ONE),
+    "arctan": lambda p: reciprocal(Poly(ONE) + p * p),
+    "exp": exponential,
+    "ln": reciprocal,
+    "sqrt": lambda p: power(p, -0.5).times(ONE / 2),
+    "abs": lambda p: Poly(ONE if p.c[0] > 0 else -ONE),  # 0 has no value before
+}
+OF_TWO = {
+    "+": lambda p, q: p + q,
+    "-": lambda p, q: p - q,
+    "*": lambda p, q: p * q,
+    "/": lambda p, q: p * applied(["power", -1], q),
+}
+
+
+def applied(step, x):
+    """A function of one operand; of a Grad its value for the interval, and the chain rule."""
+    if isinstance(step, list):
+        n = step[1]  # n - 1 is exact for whole numbers only
+        f, one_less = lambda p: power(p, n), lambda p: power(p, n - 1) if n == int(n) else power(p, n) * reciprocal(p)
+        slope = lambda p: one_less(p).times(iv.mpf(n))
+    else:
+        f, slope = OF_ONE[step], SLOPE_OF[step]
+    if isinstance(x, Poly):
+        return f(x)
+    p = Poly(x.value)  # a constant, and so are f and the slope of it
+    return Grad(f(p).c[0], x.times(slope(p).c[0]).d)
 
 
 def formula(f, t):
-    """The steps of a formula are for a stack, which the last one leaves with its value."""
     if isinstance(t, Grad):  # time is known: no columns
         return Grad(formula(f, Poly(t.value)).c[0])
+    return evaluated(f["steps"], {"t": t}, Poly).times(iv.mpf(f["unit"]))
+
+
+def evaluated(steps, variables, const):
+    """The steps of a formula are for a stack, which the last one leaves with its value."""
     stack = []
-    for step in f["steps"]:
-        if isinstance(step, list):
-            stack.append(power(stack.pop(), step[1]))
-        elif step in OF_ONE:
-            stack.append(OF_ONE[step](stack.pop()))
+    for step in steps:
+        if isinstance(step, list) or step in OF_ONE:
+            stack.append(applied(step, stack.pop()))
         elif step in OF_TWO:
             q = stack.pop()
             stack.append(OF_TWO[step](stack.pop(), q))
         else:
-            stack.append(t if step == "t" else Poly(iv.mpf(step)))
-    return stack.pop().times(iv.mpf(f["unit"]))
+            stack.append(variables[step] if isinstance(step, str) else const(iv.mpf(step)))
+    return stack.pop()
 
 
 def function_of_time(f, t, span):
@@ -237,6 +273,13 @@ def phi(q, i, j, theta, t, span):
         s, u, (sine, cosine) = body.arm(q["s" + mark]), body.arm(q["u"]), other.times(q["ratio"]).sine_and_cosine()
         e = {"centres": lambda: d("P"), "normal": lambda: cross(s_i(), j.arm(q["s_j"])), "rack": s_i}[q["line"]]()
         return [dot(cross(e, u), s) * cosine - dot(e, u) * sine]
+    def of_author():  # name.component is a number of a formula; A_i.x is the first column of A_i
+        vectors = {"s_i": s_i(), "s_j": j.arm(q["s_j"]), "u_i": i.arm(q["u_i"]), "u_j": j.arm(q["u_j"]), "d": d("P")}
+        for n, body in ("i", i), ("j", j):
+            vectors |= {"r_" + n: body.point(q["O_" + n]), f"r_{n}_P": body.point(q["P_" + n])}
+            vectors |= {f"A_{n}.{c}": [row[k] for row in body.A] for k, c in enumerate("xyz")}
+        numbers_of = {f"{name}.{c}": x for name, v in vectors.items() for c, x in zip("xyz", v)}
+        return [evaluated(q["formula"], numbers_of, const)]
     return {
         "s": lambda: minus(i.point(q["P_i"]), j.point(q["P_j"])),
         "n1": lambda: [dot(s_i(), j.arm(q["s_j"]))],
@@ -251,6 +294,7 @@ def phi(q, i, j, theta, t, span):
         "screw angle": lambda: angle(theta),
         "wheel": lambda: wheel(theta),
         "on curve": lambda: curve(theta),
+        "formula": of_author,
         "unit length": lambda: [dot(j.p, j.p) + j.p[3] * j.p[3] - const(ONE)],
         "angle": lambda: angle(target()),
         "displacement": lambda: [dot(s_i(), d()) - target()],
@@ -281,7 +325,7 @@ class Proof:
     def __init__(self, data):
         self.name_of = [name for name, size in data["coordinates"] for _ in range(size)]
         self.place, self.size = {n: [c for c, m in enumerate(self.name_of) if m == n] for n in self.name_of}, len(self.name_of)
-        vector = lambda x: numbers(x) if isinstance(x, list) and x and isinstance(x[0], float | int) else x
+        vector = lambda x: numbers(x) if isinstance(x, list) and x and all(isinstance(c, float | int) for c in x) else x
         self.equations = [{k: iv.mpf(x) if isinstance(x, float) else vector(x) for k, x in q.items()} for q in data["equations"]]
         self.fixed = {name: numbers(x) for name, x in data["fixed"].items()}
         self.poses, self.steps, self.rank, self.free, self.repeated, self.left = *(data[k] for k in ("poses", "steps", "rank")), self.size, 0.0, 0

@@ -116,6 +116,7 @@ inline constexpr std::array kJoint{
     Key{"ratio", KeyKind::number, "turns of the second wheel in one turn of the first"},
     Key{"radii", KeyKind::numbers, "instead of ratio: radii of both wheels, of a ring negative", "m"},
     Key{"d_0", KeyKind::number, "displacement of a screw or a rack at theta_0", "m"},
+    Key{"formula", KeyKind::formula, "equation of a formula joint, of s_i, s_j, u_i, u_j, d, r_i, r_j, ..."},
     in_table("curve", KeyKind::table, "curve in the frame of the first body, from point_i on", "curve"),
     one_of("angle_row", "equation of a screw's angle", words_in<kAngleRows>),
     one_of("parallel", "which equations of p1 or p2 are kept", words_in<kParallelForms>),

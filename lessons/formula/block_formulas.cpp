@@ -60,6 +60,7 @@ Blocks blocks_of(Role role, CoordinateChoice c, bool i) {
                 i ? "-\\tilde{\\mathbf{d}} " + s + " - " + tilde("s") + "_i " + B : tilde("s") + "_i " + B};
         case Role::length:
             return {minus + "2 \\mathbf{d}^T", minus + "2 \\mathbf{d}^T " + arm(c, "s", own, "P")};
+        case Role::formula:
         case Role::screw_advance:
         case Role::screw_angle:
         case Role::wheel_i:
@@ -91,8 +92,8 @@ std::string block_name(const Block& block) {
 }
 
 std::optional<std::string> block_formula(const Block& block) {
-    // the equations with θ are not on slide 14
-    if (has_theta(block.role)) { return std::nullopt; }
+    // the equations with θ, and those of authors, are not on slide 14
+    if (has_theta(block.role) || block.role == Role::formula) { return std::nullopt; }
     const Blocks blocks = blocks_of(block.role, block.coordinates, block.body_i);
     return block.of_orientation ? blocks.orientation : blocks.position;
 }

@@ -52,7 +52,9 @@ private:
         bool minus = sign_before(cursor);
         const math::Node& first = cursor.peek();
         V value = term(cursor);
-        if (minus) { value = negative(value); }
+        if (minus) {
+            value = at(first, [&] { return negative(value); });
+        }
         while (!cursor.at_end() && (is_sign(cursor.peek(), "+") || is_sign(cursor.peek(), "−"))) {
             const math::Node& sign = cursor.next();
             minus = is_sign(sign, "−");

@@ -21,4 +21,9 @@ std::span<const Variable> time_only();
 /// @throws NotEvaluated where it cannot be read, or something else stands
 ScalarFormula scalar_formula(const std::string& source, std::span<const Variable> variables);
 
+/// Equation between two bodies, Φ or Φ = 0 or left = right, of the components of FormulaVector. It is written
+/// with s_i, s_j, u_i, u_j, d, r_i, r_j, r_i^P, r_j^P, s_i^P, s_j^P, A_i and A_j.
+/// @throws NotEvaluated where it cannot be read, is not one number or depends on something else
+ScalarFormula constraint_formula(const std::string& source);
+
 }  // namespace jw::formula

@@ -15,10 +15,20 @@ constexpr std::array kPartNames{"s_i", "s_j", "d"};
 
 int count_of(std::size_t size) { return static_cast<int>(size); }
 
-void add_vectors(const JointType& type, int joint, std::vector<Thing>& things) {
+void add_vectors(const Joint& joint, int index, std::vector<Thing>& things) {
     for (const int part : {Thing::kVectorI, Thing::kVectorJ, Thing::kVectorD}) {
-        const bool has = std::ranges::any_of(type.roles, [&](Role role) { return is_made_of(role, part); });
-        if (has) { things.push_back(Thing::vector(joint, part)); }
+        const auto has = [&](Role role) { return is_made_of(joint, role, part); };
+        if (std::ranges::any_of(joint.type->roles, has)) { things.push_back(Thing::vector(index, part)); }
+    }
+}
+
+/// True if a formula contains vectors of a part.
+bool has_part(const ScalarFormula& formula, int part) {
+    using enum FormulaVector;
+    switch (part) {
+        case Thing::kVectorI: return contains_any(formula, {s_i, u_i});
+        case Thing::kVectorJ: return contains_any(formula, {s_j, u_j});
+        default: return contains_any(formula, {d});
     }
 }
 
@@ -43,7 +53,15 @@ std::string trimmed(std::string_view name) {
 
 }  // namespace
 
-bool is_made_of(Role role, int part) {
+bool contains_any(const ScalarFormula& formula, std::initializer_list<FormulaVector> vectors) {
+    return std::ranges::any_of(vectors, [&](FormulaVector vector) {
+        const int first = variable_of(vector, 0);
+        return formula.uses_any(first, first + 3);
+    });
+}
+
+bool is_made_of(const Joint& joint, Role role, int part) {
+    if (role == Role::formula) { return has_part(joint.geometry.formula, part); }
     const unsigned vectors = traits_of(role).vectors;
     switch (part) {
         case Thing::kVectorI: return (vectors & (kPoints | kAxisI | kSidesH | kSidesU)) != 0;
@@ -62,7 +80,7 @@ std::vector<Thing> things_of(const Mechanism& mechanism, Thing::Kind kind) {
         const Joint& joint = mechanism.joints[static_cast<std::size_t>(k)];
         if (kind == Thing::Kind::joint) { things.push_back(Thing::joint(k)); }
         if (joint.type == nullptr) { continue; }
-        if (kind == Thing::Kind::vector) { add_vectors(*joint.type, k, things); }
+        if (kind == Thing::Kind::vector) { add_vectors(joint, k, things); }
         if (kind != Thing::Kind::row) { continue; }
         for (const LabelledEquation& labelled : equations_of(*joint.type, joint.parallel_form)) {
             things.push_back(Thing::row(k, labelled.equation));

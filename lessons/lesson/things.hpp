@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,8 +35,10 @@ struct Thing {
     static Thing row_of_driver(int driver) { return {Kind::row, driver, 0, true}; }
 };
 
-/// True if equations of this role are made of the vector `part`.
-bool is_made_of(Role role, int part);
+/// True if the formula of a joint contains one of these vectors.
+bool contains_any(const ScalarFormula& formula, std::initializer_list<FormulaVector> vectors);
+/// True if the equations of this role of a joint are made of the vector `part`.
+bool is_made_of(const Joint& joint, Role role, int part);
 
 /// All things of a kind, in the order of the mechanism; dropped equations are rows, too.
 std::vector<Thing> things_of(const Mechanism& mechanism, Thing::Kind kind);

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "core/elementary/elementary.hpp"
 #include "lessons/read/reading.hpp"
+#include "lessons/read/scalar_formula.hpp"
 
 namespace jw::reading {
 
@@ -154,10 +156,12 @@ void read_marks(
     }
 }
 
-void read_sides(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
+void read_sides(
+    Fields& fields, const BodyPair& pair, const JointType& type, bool axes_known, JointGeometry& g) {
     const auto side = fields.direction("side");
     const auto side_i = fields.direction("side_i");
     const auto side_j = fields.direction("side_j");
+    if (!axes_known) { return; }
     const bool any = fields.has("side") || fields.has("side_i") || fields.has("side_j");
     if (any && !one_way(fields, "side", {"side_i", "side_j"}, "a side vector, three numbers")) { return; }
 
@@ -328,6 +332,22 @@ void read_curve(Fields& joint, JointGeometry& g) {
     read_theta(joint, g);
 }
 
+/// Vectors of a formula: those that are given; the others are the origins, z axes and x axes of the bodies.
+void read_formula_joint(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
+    const auto any = [&](std::initializer_list<const char*> keys) {
+        return std::ranges::any_of(keys, [&](const char* key) { return fields.has(key); });
+    };
+    if (any({"at", "to", "point_i", "point_j"})) { read_points(fields, pair, type, g); }
+    const bool has_axis = any({"axis", "axis_i", "axis_j"});
+    const bool axes_known = !has_axis || read_axes(fields, pair, type, g);
+    if (has_axis || any({"side", "side_i", "side_j"})) { read_sides(fields, pair, type, axes_known, g); }
+    fields.require("formula", "an equation of s_i, s_j, u_i, u_j, d, r_i, r_j, A_i and A_j");
+    const auto formula = read_formula(
+        fields, "formula", formula::constraint_formula,
+        "s_i, s_j, u_i, u_j, d, r_i, r_j, A_i, A_j and numbers");
+    if (formula) { g.formula = *formula; }
+}
+
 void read_length(Fields& fields, const BodyPair& pair, bool points_known, JointGeometry& g) {
     const auto length = fields.positive("length");
     if (length) { g.length = length->value; }
@@ -359,14 +379,11 @@ void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint) {
     const JointNeeds needs(type);
     JointGeometry& g = joint.geometry;
     const int errors = fields.problems().errors_count();
+    if (type.has_formula()) { return read_formula_joint(fields, pair, type, g); }
     if (needs.points) { read_points(fields, pair, type, g); }
     if (type.uses(Role::length)) { read_length(fields, pair, fields.problems().errors_count() == errors, g); }
     const bool axes_known = needs.axis && read_axes(fields, pair, type, g);
-    if (needs.sides && axes_known) {
-        read_sides(fields, pair, type, g);
-    } else if (needs.sides) {
-        for (const char* key : {"side", "side_i", "side_j"}) { fields.direction(key); }
-    }
+    if (needs.sides) { read_sides(fields, pair, type, axes_known, g); }
     if (type.uses(Role::screw_advance)) { read_screw(fields, pair, type, g); }
     if (type.uses(Role::rack_advance)) { read_rack(fields, pair, type, g); }
     if (type.has_curve()) { read_curve(fields, g); }

@@ -17,6 +17,7 @@ void check_keys(Fields& fields) {
     fields.positive("length");
     fields.numbers("radii");
     fields.raw("curve");
+    fields.formula("formula");
     for (const char* key : {"theta_0", "theta"}) { fields.angle(key); }
     for (const char* key :
          {"theta_dot_rad_per_s", "theta_dot_deg_per_s", "angle_dot_rad_per_s", "angle_dot_deg_per_s",

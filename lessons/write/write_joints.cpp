@@ -108,6 +108,7 @@ void write_joint(const Written& written, const Joint& joint, const Text& text, L
     lines.key("type", string_text(std::string(joint.type->name)));
     lines.key("bodies", written.pair(joint.body_i, joint.body_j));
     write_vectors(*joint.type, joint.geometry, lines);
+    if (joint.type->has_formula()) { lines.key("formula", string_text(joint.geometry.formula.source)); }
     if (joint.type->uses(Role::length)) { lines.key("length", joint.geometry.length, "m"); }
     if (joint.type->uses(Role::screw_advance)) { write_screw(joint.geometry, lines); }
     if (joint.type->has_own_coordinate()) { write_wheels(*joint.type, joint.geometry, lines); }

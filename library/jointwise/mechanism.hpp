@@ -111,7 +111,7 @@ private:
     std::shared_ptr<Inside> inside_;
 };
 
-/// Names of all joint types.
+/// Names of the joint types that `add_joint` takes: all but "formula", whose equation is text in a lesson.
 std::vector<std::string> joint_types();
 
 }  // namespace JOINTWISE_ABI

@@ -69,6 +69,7 @@ TEST_CASE("Arguments that make no sense are said and leave the mechanism as it w
     CHECK_THROWS_WITH(m.add_joint("x", "universal", 0, 1, {}), Contains("axis2 is absent"));
     CHECK_THROWS_WITH(m.add_joint("x", "universal", 0, 1, tilted), Contains("not perpendicular"));
     CHECK_THROWS_WITH(m.add_joint("x", "distance", 0, 1, {}), Contains("coincide"));
+    CHECK_THROWS_WITH(m.add_joint("x", "formula", 0, 1, {}), Contains("which only lessons contain"));
     CHECK_THROWS_WITH(m.add_driver("x", 0, {1.0}), Contains("'ball' has no angle"));
     CHECK_THROWS_WITH(m.add_driver("x", 7, {1.0}), Contains("no joint 7"));
     CHECK_THROWS_WITH(m.set_mass(1, 0.0, Matrix3::Identity()), Contains("not positive"));

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include <map>
 #include <set>
 
 #include "jointwise/analysis.hpp"
@@ -98,6 +99,31 @@ Pose moved(Pose pose) {
     return pose;
 }
 
+/// A joint of a lesson against one that the library built.
+void check_same_equations(const Case& c, const std::string& type, const std::string& keys) {
+    const Lesson lesson = read_lesson_text(
+        kBodies + "[[joint]]\nname = \"joint\"\ntype = \"" + type + "\"\nbodies = [\"one\", \"two\"]\n" +
+        keys);
+    const Mechanism& read = lesson.mechanism();
+    const Mechanism own = built(c);
+    Rates rates = start_rates(own);
+    rates.omega_local[1] = {0.7, -0.4, 0.9};
+    rates.r_dot[2] = {0.3, 0.2, -0.6};
+    const Pose pose = moved(start_pose(own));
+    for (const Coordinates coordinates :
+         {Coordinates::true_euler_parameters, Coordinates::modified_euler_parameters,
+          Coordinates::omega_local, Coordinates::omega_global}) {
+        const Equations a = equations_at(own, pose, rates, coordinates);
+        const Equations b = equations_at(read, pose, rates, coordinates);
+        REQUIRE(a.rows.size() == b.rows.size());
+        if (type == c.type) { CHECK(a.rows == b.rows); }
+        // the same vectors, turned into the bodies by the same few products: rounding of numbers about 1
+        CHECK((a.phi - b.phi).cwiseAbs().maxCoeff() < 1e-14);
+        CHECK((a.jacobian - b.jacobian).cwiseAbs().maxCoeff() < 1e-14);
+        CHECK((a.gamma - b.gamma).cwiseAbs().maxCoeff() < 1e-14);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("Every joint built by the library has the equations of the same joint in a lesson", "[api]") {
@@ -105,29 +131,24 @@ TEST_CASE("Every joint built by the library has the equations of the same joint 
     for (const Case& c : cases()) {
         CAPTURE(c.type);
         asked.insert(c.type);
-        const Lesson lesson = read_lesson_text(
-            kBodies + "[[joint]]\nname = \"joint\"\ntype = \"" + c.type +
-            "\"\nbodies = [\"one\", \"two\"]\n" + c.keys);
-        const Mechanism& read = lesson.mechanism();
-        const Mechanism own = built(c);
-        Rates rates = start_rates(own);
-        rates.omega_local[1] = {0.7, -0.4, 0.9};
-        rates.r_dot[2] = {0.3, 0.2, -0.6};
-        const Pose pose = moved(start_pose(own));
-        for (const Coordinates coordinates :
-             {Coordinates::true_euler_parameters, Coordinates::modified_euler_parameters,
-              Coordinates::omega_local, Coordinates::omega_global}) {
-            const Equations a = equations_at(own, pose, rates, coordinates);
-            const Equations b = equations_at(read, pose, rates, coordinates);
-            REQUIRE(a.rows == b.rows);
-            // the same vectors, turned into the bodies by the same few products: rounding of numbers about 1
-            CHECK((a.phi - b.phi).cwiseAbs().maxCoeff() < 1e-14);
-            CHECK((a.jacobian - b.jacobian).cwiseAbs().maxCoeff() < 1e-14);
-            CHECK((a.gamma - b.gamma).cwiseAbs().maxCoeff() < 1e-14);
-        }
+        check_same_equations(c, c.type, c.keys);
     }
     const std::vector<std::string> all = joint_types();
     CHECK(asked == std::set<std::string>(all.begin(), all.end()));
+}
+
+TEST_CASE("A formula that a lesson writes has the equations of the joint that it spells out", "[api]") {
+    // the square of the distance from kAt to kTo is 0.68
+    const std::map<std::string, std::string> spelt{
+        {"distance", kTwo + "formula = '\\mathbf{d}^T \\mathbf{d} = 0.68'\n"},
+        {"n2", kTwo + kOneAxis + "formula = '\\mathbf{s}_i^T \\mathbf{d}'\n"},
+        {"point-in-plane",
+         kTwo + kOneAxis + "formula = '\\mathbf{s}_i \\cdot \\mathbf{r}_j^P = s_i^T r_i^P'\n"}};
+    for (const Case& c : cases()) {
+        if (!spelt.contains(c.type)) { continue; }
+        CAPTURE(c.type);
+        check_same_equations(c, "formula", spelt.at(c.type));
+    }
 }
 
 TEST_CASE("Numbers of the library are exact, those of a lesson are known to their digits", "[api]") {

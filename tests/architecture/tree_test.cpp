@@ -35,9 +35,10 @@ const std::regex unfinished(
 std::string joint_names(bool of_joints_only) {
     std::string names;
     for (const JointType& type : kJointTypes) {
-        // also a key of bodies, a quantity, an experiment, a key of joints, a line of wheels, primitives
+        // also a key of bodies, a quantity, an experiment, keys of joints, a line of wheels, primitives
         const bool means_more = type.name == "fixed" || type.name == "distance" || type.name == "screw" ||
-                                type.name == "curve" || type.name == "rack" || type.name.size() < 3;
+                                type.name == "curve" || type.name == "formula" || type.name == "rack" ||
+                                type.name.size() < 3;
         if (of_joints_only && means_more) { continue; }
         names += (names.empty() ? "" : "|") + std::string(type.name);
     }

@@ -182,6 +182,47 @@ TEST_CASE("Bounds of a point and an arm and of products are reached", "[core][ma
     CHECK(product.second[kP_i][kP_j] == Approx(2.0 * 2.0 * 1.1 * 2.0 * 3.0));
 }
 
+TEST_CASE(
+    "Formulas of bodies near by have bounds, and where they have none no number is one",
+    "[core][majorants]") {
+    Random random(73);
+    int bounded = 0;
+    int unbounded = 0;
+    for (int n = 0; n < kRegions; ++n) {
+        const Region i = random_region(random);
+        const Region j = random_region(random);
+        std::vector<ProvedPrimitive> formulas = other_formulas(random);
+        // a factor without bounds beside one that does not change
+        for (const double factor : {1.0, 0.0}) {
+            FormulaEquation other = std::get<FormulaEquation>(formulas.back());
+            other.formula.steps.push_back({FormulaStep::Kind::number, factor});
+            other.formula.steps.push_back({FormulaStep::Kind::product, 0.0});
+            formulas.emplace_back(other);
+        }
+        for (std::size_t k = 0; k < formulas.size(); ++k) {
+            CAPTURE(n, k);
+            const auto& formula = std::get<FormulaEquation>(formulas[k]);
+            const auto jet = equations<Content::jacobian>(formula, i, j, BoundedTheta{});
+            const auto path = equations<Content::motion>(formula, i, j, BoundedTheta{});
+            const bool has_bounds = std::isfinite(jet.away);
+            (has_bounds ? bounded : unbounded) += 1;
+            CHECK(std::isfinite(path.away) == has_bounds);
+            for (std::size_t order = 1; order < path.bounds.size(); ++order) {
+                CHECK(std::isfinite(path.bounds[order]) == has_bounds);
+            }
+            for (std::size_t c = 0; c < kBlocks; ++c) {
+                CHECK(std::isfinite(jet.bounds.first[c]) == has_bounds);
+                for (std::size_t d = 0; d < kBlocks; ++d) {
+                    CHECK(std::isfinite(jet.bounds.second[c][d]) == has_bounds);
+                }
+            }
+        }
+    }
+    // both do occur
+    CHECK(bounded > 4 * kRegions);
+    CHECK(unbounded > kRegions);
+}
+
 TEST_CASE("Bounds along a path hold for every primitive", "[core][majorants]") {
     Random random(72);
     for (int n = 0; n < kRegions; ++n) {

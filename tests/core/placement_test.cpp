@@ -56,7 +56,7 @@ TEST_CASE("Joints placed by global vectors have them in the global frame, in any
         CHECK(is_near(turned(i.p, g.s_i_local), axis));
         CHECK(is_near(turned(j.p, g.s_j_local), axis_j));
         CHECK(is_near(turned(i.p, g.u_i_local), side));
-        const Vec3 other = type.has_angle() ? side : axis.cross(side);
+        const Vec3 other = type.has_angle() || type.has_formula() ? side : axis.cross(side);
         CHECK(is_near(turned(j.p, g.u_j_local), turned_about(normal, tilt, other)));
         CHECK(g.h_i_local == g.u_i_local);
         CHECK(g.h_j_local == g.u_j_local);

@@ -38,6 +38,7 @@ struct Comparison {
     double difference = 0.0;
     double size = 0.0;
     double excess = 0.0;
+    double last = 0.0;  ///< size of the last term
 };
 Comparison compared(
     const ProvedPrimitive& primitive, const RandomPath& i, const RandomPath& j, double theta_0, double rate,
@@ -57,6 +58,7 @@ Comparison compared(
                 out.size += power * jet.size(k);
                 out.excess = std::max(out.excess, jet.coefficient(k).norm() / (jet.size(k) + 1e-12) - 1.0);
             }
+            out.last = power * jet.size(kOrders - 1);
             const auto value =
                 equations<Content::jacobian>(c, i.at(s), j.at(s), Theta{theta_0 + s * rate, 0.0}).value;
             out.difference = (value - sum).norm();
@@ -87,6 +89,23 @@ TEST_CASE("Power series of the primitives have their values along a path", "[cor
             const Comparison c =
                 compared(ScrewAngle{unit(), unit(), unit(), form}, i, j, random.number(), 1.0, 0.01);
             CHECK(c.difference <= 1e-14 * (c.size + 10.0));
+            CHECK(c.excess <= 1e-12);
+        }
+    }
+}
+
+TEST_CASE(
+    "Power series of formulas have their values up to the order that is cut off", "[core][power-series]") {
+    Random random(37);
+    for (int n = 0; n < kPaths; ++n) {
+        const std::vector<ProvedPrimitive> formulas = other_formulas(random);
+        const RandomPath i(random);
+        const RandomPath j(random);
+        for (std::size_t k = 0; k < formulas.size(); ++k) {
+            CAPTURE(n, k);
+            // at a tenth of the distance that the series reaches: what is cut off is less than the last term
+            const Comparison c = compared(formulas[k], i, j, 0.0, 0.0, 0.01);
+            CHECK(c.difference <= c.last + 1e-14 * (c.size + 10.0));
             CHECK(c.excess <= 1e-12);
         }
     }

@@ -6,10 +6,13 @@
 #include "lessons/formula/symbol_values.hpp"
 #include "tests/lessons/support.hpp"
 #include "tests/support/moved_along.hpp"
+#include "tests/support/vector_formulas.hpp"
 
 namespace jw::formula::test {
 
 namespace {
+
+namespace authored = jw::test::authored;
 
 /// One joint of every type between two moving bodies, with arbitrary vectors.
 Mechanism of_type(const JointType& type, unsigned seed) {
@@ -32,6 +35,11 @@ Mechanism of_type(const JointType& type, unsigned seed) {
     g.h_i_local = vector();
     g.h_j_local = vector();
     g.length = 1.3;
+    using enum FormulaVector;
+    g.formula = authored::equation(
+        sine(authored::number(0.25) * authored::dot(s_i, s_j)) * authored::dot(u_j, d) -
+            authored::component(r_i_P, 1),
+        0.5);
     if (type.artificial > 0) {
         // the rows of a screw are written for unit vectors
         g.s_i_local.normalize();

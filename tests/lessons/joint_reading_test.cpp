@@ -7,6 +7,7 @@
 #include "core/model/placement.hpp"
 #include "lessons/lesson/equation_labels.hpp"
 #include "tests/lessons/support.hpp"
+#include "tests/support/vector_formulas.hpp"
 
 using namespace jw;
 using test::is_near;
@@ -15,6 +16,8 @@ using test::lesson_of;
 using test::with_two_bodies;
 
 namespace {
+
+namespace authored = test::authored;
 
 /// A joint between `base` (global frame) and `arm` (at (1, 2, 3), its x axis along global y).
 Joint joint_with(const std::string& keys) {
@@ -150,6 +153,83 @@ TEST_CASE("n2 and p2 join two points and need the first body's axis only", "[les
     CHECK(g.s_i_local == Vec3(0, 0, 2));
 }
 
+TEST_CASE("A formula joint has the vectors that are given, and those of the frames", "[lessons][reading]") {
+    const std::string equation = "type = \"formula\"\nformula = '\\mathbf{d}^T \\mathbf{d} = 4'\n";
+    const JointGeometry bare = joint_with(equation).geometry;
+    CHECK(bare.formula == authored::equation(authored::dot(FormulaVector::d, FormulaVector::d), 4.0));
+    CHECK((bare.P_i_local == Vec3::Zero() && bare.P_j_local == Vec3::Zero()));
+    CHECK((bare.s_i_local == Vec3::UnitZ() && bare.s_j_local == Vec3::UnitZ()));
+    CHECK((bare.u_i_local == Vec3::UnitX() && bare.u_j_local == Vec3::UnitX()));
+    const JointGeometry placed =
+        joint_with(equation + "at = [4, 6, 3]\nto = [1, 2, 4]\naxis = [0, 3, 4]\nside = [2, 0, 0]").geometry;
+    CHECK(is_near(placed.P_i_local, Vec3(4, 6, 3)));
+    CHECK(is_near(placed.P_j_local, Vec3(0, 0, 1)));
+    CHECK(is_near(placed.s_i_local, Vec3(0, 0.6, 0.8)));
+    CHECK(is_near(placed.s_j_local, Vec3(0.6, 0, 0.8)));
+    CHECK(is_near(placed.u_i_local, Vec3(1, 0, 0)));
+    const JointGeometry local =
+        joint_with(
+            equation + "point_i = [1, 2, 0]\npoint_j = [0, 0, 1]\nside_i = [0, 3, 0]\nside_j = [1, 1, 0]")
+            .geometry;
+    CHECK((local.P_i_local == Vec3(1, 2, 0) && local.P_j_local == Vec3(0, 0, 1)));
+    CHECK((local.s_i_local == Vec3::UnitZ() && local.u_i_local == Vec3::UnitY()));
+    CHECK(is_near(local.u_j_local, Vec3(1, 1, 0).normalized()));
+}
+
+TEST_CASE("A formula joint is computed as its text says, step by step", "[lessons][reading]") {
+    using namespace authored;
+    using enum FormulaVector;
+    const auto steps_of = [](const std::string& text) {
+        return joint_with("type = \"formula\"\nformula = '" + text + "'").geometry.formula.steps;
+    };
+    for (const ScalarFormula& formula :
+         {equation(of_all_vectors(-0.7), 1e-7), equation(dot(s_i, A_j_z), -0.25),
+          equation(dot(r_i_P, u_j), 0.0),
+          equation(square_root(dot(d, d)) - number(0.3) * sine(dot(u_i, u_j)), 123456.75),
+          equation(component(r_i_P, 0) - component(r_j_P, 0) * component(s_j, 2), 0.5),
+          equation(
+              power(number(3.0) - component(d, 1), -2.0) / (number(2.0) + cosine(dot(r_i, r_j))), 1.0)}) {
+        CAPTURE(formula.source);
+        CHECK(steps_of(formula.source) == formula.steps);
+    }
+    // what is 0 or 1 in a matrix is not computed
+    const std::string column = "\\begin{bmatrix} 0 \\\\ 1 \\\\ 0 \\end{bmatrix}";
+    CHECK(steps_of("u_j^T \\mathbf{A}_i " + column + " = 0.5") == equation(dot(u_j, A_i_y), 0.5).steps);
+    CHECK(steps_of("\\mathbf{s}_i \\cdot \\mathbf{d}") == equation(dot(s_i, d), 0.0).steps);
+    CHECK(steps_of("s_i^T d = 2 s_{(x)j}") == (dot(s_i, d) - number(2.0) * component(s_j, 0)).steps);
+    CHECK(steps_of("|d| = 0.5") == equation(square_root(dot(d, d)), 0.5).steps);
+    CHECK(steps_of("s_{zi}^P = 0") == (component(r_i_P, 2) - component(r_i, 2)).steps);
+}
+
+TEST_CASE("Vectors and matrices in the formula of a joint are multiplied as on paper", "[lessons][reading]") {
+    // as s_i, s_j and d, and any other numbers
+    std::vector<double> variables(3 * kFormulaVectors);
+    for (std::size_t k = 0; k < variables.size(); ++k) {
+        variables[k] = std::sin(3.0 * static_cast<double>(k));
+    }
+    const auto vector = [&](FormulaVector v) {
+        return Vec3(Eigen::Map<const Vec3>(&variables[static_cast<std::size_t>(variable_of(v, 0))]));
+    };
+    const Vec3 a = vector(FormulaVector::s_i);
+    const Vec3 b = vector(FormulaVector::s_j);
+    const Vec3 c = vector(FormulaVector::d);
+    Mat3 A;
+    A << vector(FormulaVector::A_i_x), vector(FormulaVector::A_i_y), vector(FormulaVector::A_i_z);
+    const auto value_of = [&](const std::string& text) {
+        return joint_with("type = \"formula\"\nformula = '" + text + "'").geometry.formula.at(variables);
+    };
+    const auto near = [](double x) { return Approx(x).epsilon(1e-14).margin(1e-14); };
+    CHECK(value_of("s_i^T (s_j \\times d)") == near(a.dot(b.cross(c))));
+    CHECK(value_of("(\\tilde{s}_i s_j)^T d") == near(a.cross(b).dot(c)));
+    CHECK(value_of("s_i^T A_i d - \\frac{s_j^T d}{2}") == near(a.dot(A * c) - 0.5 * b.dot(c)));
+    CHECK(value_of("s_i^T A_i^T d") == near(a.dot(A.transpose() * c)));
+    CHECK(value_of("(2 s_i - s_j)^T d") == near((2.0 * a - b).dot(c)));
+    CHECK(value_of("|s_i - d|^3") == near(std::pow((a - c).norm(), 3.0)));
+    CHECK(
+        value_of("s_i^T \\begin{bmatrix} 1 & 2 & 0 \\\\ 0 & 0 & d_x \\\\ 0 & 1 & 0 \\end{bmatrix} s_j") ==
+        near(a.x() * (b.x() + 2.0 * b.y()) + a.y() * c.x() * b.z() + a.z() * b.y()));
+}
+
 TEST_CASE("Every joint type can be read, with its number of equations", "[lessons][reading]") {
     for (const JointType& type : kJointTypes) {
         CAPTURE(type.name);
@@ -164,6 +244,7 @@ TEST_CASE("Every joint type can be read, with its number of equations", "[lesson
         if (type.uses(Role::rack_advance)) { keys += "radius = 1\n"; }
         if (type.uses(Role::curve_x)) { keys += "curve = { cos = [[1, 0, 0]], sin = [[0, 1, 0]] }\n"; }
         if (type.uses(Role::wheel_i) || type.uses(Role::bevel_i)) { keys += "ratio = -2\n"; }
+        if (type.has_formula()) { keys += "formula = 's_i^T s_j = 0.5'\n"; }
         CHECK(joint_with(keys).type == &type);
     }
 }

@@ -48,10 +48,11 @@ public:
         using G = JointGeometry;
         all(name, a, b, &G::P_i_local, "P_i", &G::P_j_local, "P_j", &G::s_i_local, "s_i", &G::s_j_local,
             "s_j", &G::h_i_local, "h_i", &G::h_j_local, "h_j", &G::u_i_local, "u_i", &G::u_j_local, "u_j");
-        all(name, a, b, &G::length, "length", &G::alpha, "alpha", &G::d_0, "d_0", &G::theta_0, "theta_0",
-            &G::curve, "curve", &G::ratio, "ratio", &G::radii, "radii", &G::screw_angle_form,
-            "screw_angle_form", &G::theta_start, "theta_start", &G::theta_dot_start, "theta_dot_start",
-            &G::angle_dot_start, "angle_dot_start", &G::displacement_dot_start, "displacement_dot_start");
+        all(name, a, b, &G::length, "length", &G::formula, "formula", &G::alpha, "alpha", &G::d_0, "d_0",
+            &G::theta_0, "theta_0", &G::curve, "curve", &G::ratio, "ratio", &G::radii, "radii",
+            &G::screw_angle_form, "screw_angle_form", &G::theta_start, "theta_start", &G::theta_dot_start,
+            "theta_dot_start", &G::angle_dot_start, "angle_dot_start", &G::displacement_dot_start,
+            "displacement_dot_start");
     }
     void compare(const std::string& name, const Curve& a, const Curve& b) {
         all(name, a, b, &Curve::constant, "constant", &Curve::linear, "linear", &Curve::harmonics,

@@ -38,6 +38,7 @@ inline JointGeometry as_in_lessons(const JointType& type, const JointGeometry& a
     }
     if (type.uses(Role::wheel_i) || type.uses(Role::bevel_i)) { g.ratio = any.ratio; }
     if (type.uses(Role::curve_x)) { g.curve = any.curve; }
+    if (type.has_formula()) { g.formula = any.formula; }
     if (type.uses(Role::screw_angle)) { g.screw_angle_form = any.screw_angle_form; }
     if (type.artificial > 0) {
         g.theta_start = any.theta_start;

@@ -34,6 +34,21 @@ void scale(ScalarFormula& law, double value, double rate, double factor) {
     law.steps = steps;
 }
 
+/// Takes lengths in other units, `length` times as many.
+void scale_lengths(ScalarFormula& formula, double length) {
+    std::vector<FormulaStep> steps;
+    for (const FormulaStep& step : formula.steps) {
+        steps.push_back(step);
+        const bool is_length = step.kind == Kind::variable &&
+                               step.number >= variable_of(FormulaVector::d, 0) &&
+                               step.number < variable_of(FormulaVector::A_i_x, 0);
+        if (!is_length) { continue; }
+        steps.push_back({Kind::number, 1.0 / length});
+        steps.push_back({Kind::product, 0.0});
+    }
+    formula.steps = steps;
+}
+
 /// f at t / time, times a factor.
 TimeFunction changed(TimeFunction f, double factor, double time) {
     double power = 1.0;
@@ -82,6 +97,7 @@ public:
         }
         g.length *= c_.length;
         g.d_0 *= c_.length;
+        scale_lengths(g.formula, c_.length);
         // a mirror turns right-handed screws into left-handed ones
         g.alpha *= c_.length * c_.hand();
         g.theta_0 *= c_.hand();

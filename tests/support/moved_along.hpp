@@ -27,8 +27,7 @@ inline constexpr double kRateError = 1e-9;
 inline constexpr double kAccelerationError = 1e-7;
 
 template <class F>
-auto rate_by_difference(const F& f) -> decltype(f(0.0)) {
-    const double h = 1e-3;
+auto rate_by_difference(const F& f, double h = 1e-3) -> decltype(f(0.0)) {
     return (8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h);
 }
 

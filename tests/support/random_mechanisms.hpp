@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/model/mechanism.hpp"
+#include "tests/support/vector_formulas.hpp"
 
 /// Seeded random scenes for property tests.
 namespace jw::test {
@@ -61,6 +62,7 @@ inline JointGeometry random_geometry(Random& random) {
     g.curve.constant = g.h_i_local;
     g.curve.linear = 0.2 * g.h_j_local;
     g.curve.harmonics = {{g.P_i_local, g.P_j_local}, {0.2 * g.s_i_local, 0.2 * g.s_j_local}};
+    g.formula = authored::equation(authored::of_all_vectors(g.length), g.theta_0);
     return g;
 }
 

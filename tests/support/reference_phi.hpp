@@ -86,6 +86,11 @@ inline VX phi(const System& system, const Positions& q, Real t, bool homogeneous
                 all = {(A_i * to_real(g.h_i_local)).dot(A_j * to_real(g.h_j_local))};
                 break;
             case Role::length: all = {d.dot(d) - Real(g.length) * Real(g.length)}; break;
+            case Role::formula:
+                all = {test::formula_value(
+                    g.formula.steps,
+                    test::formula_variables(g, q.r[body(c.body_i)], A_i, q.r[body(c.body_j)], A_j))};
+                break;
             case Role::screw_advance:
                 all = {unit.dot(d) - Real(g.d_0) - Real(g.alpha) * (theta - Real(g.theta_0))};
                 break;

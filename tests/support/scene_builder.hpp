@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -23,7 +24,8 @@ public:
         return static_cast<int>(mechanism.bodies.size()) - 1;
     }
 
-    /// Joint at a global point, both bodies sharing the axis; u_i = u_j and h_i, h_j perpendicular.
+    /// Joint at a global point, both bodies sharing the axis; u_i = u_j and h_i, h_j perpendicular. A formula
+    /// is one of a few that hold there.
     Joint& add_joint(std::string_view type, int i, int j, const Vec3& point, const Vec3& axis) {
         Joint joint;
         joint.name = "joint " + std::to_string(mechanism.joints.size());
@@ -39,6 +41,9 @@ public:
         g.u_i_local = g.h_i_local = local(i, perpendicular_to(unit));
         g.u_j_local = local(j, perpendicular_to(unit));
         g.h_j_local = local(j, unit.cross(perpendicular_to(unit)));
+        if (joint.type->has_formula()) {
+            g.formula = formula_at_joint(mechanism.joints.size() + static_cast<std::size_t>(i));
+        }
         mechanism.joints.push_back(joint);
         return mechanism.joints.back();
     }
@@ -130,6 +135,14 @@ public:
     Mechanism mechanism;
 
 private:
+    /// Equations of axes and points that coincide.
+    static ScalarFormula formula_at_joint(std::size_t which) {
+        using namespace authored;
+        using enum FormulaVector;
+        const std::array left{dot(s_i, u_j), dot(s_i, d), sine(dot(s_i, u_j)) + dot(u_i, d)};
+        return equation(left[which % left.size()], 0.0);
+    }
+
     const Body& at(int body) const { return mechanism.bodies[static_cast<std::size_t>(body)]; }
     Body body_at(const std::string& name, const Vec3& r, bool fixed) const {
         Body body;

@@ -43,6 +43,7 @@ private:
     void add_geometry(const JointGeometry& g) {
         add(g.P_i_local, g.P_j_local, g.s_i_local, g.s_j_local, g.h_i_local, g.h_j_local, g.u_i_local,
             g.u_j_local, g.length, g.alpha, g.d_0, g.theta_0);
+        for (const FormulaStep& step : g.formula.steps) { add(step.number); }
     }
     void add_measure(const Measure& measure) {
         if (const auto* m = std::get_if<AngleMeasure>(&measure)) {
@@ -152,7 +153,8 @@ inline bool is_sound(const Lesson& lesson) {
     for (const Body& b : m.bodies) { good = good && std::abs(b.p.norm() - 1.0) < 2e-3; }
     for (const Joint& j : m.joints) {
         good = good && j.type != nullptr && body(j.body_i) && body(j.body_j) && j.body_i != j.body_j &&
-               j.geometry.s_i_local.norm() > 0.0;
+               j.geometry.s_i_local.norm() > 0.0 &&
+               (!j.type->has_formula() || !j.geometry.formula.steps.empty());
     }
     for (const Driver& d : m.drivers) {
         good = good && body(d.body_i) && body(d.body_j) && std::isfinite(d.function.at(0.0).f);

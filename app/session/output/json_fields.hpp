@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/session/output/json.hpp"
+#include "core/jets/formula_equation.hpp"
 #include "lessons/lesson/enum_words.hpp"
 
 /// Fields of a primitive (`for_each_field`) as JSON, for inspections and proofs.
@@ -19,6 +20,48 @@ inline Json field(const std::vector<std::array<double, 2>>& pairs) {
     Json all = Json::array();
     for (const auto& [of_cosine, of_sine] : pairs) { all.push_back({number(of_cosine), number(of_sine)}); }
     return all;
+}
+
+/// A number, the name of a variable or that of an operation; a power with its exponent.
+/// @param name_of  name of the variable with an index
+template <class F>
+Json step_json(const FormulaStep& step, F&& name_of) {
+    using Kind = FormulaStep::Kind;
+    switch (step.kind) {
+        case Kind::number: return step.number;
+        case Kind::variable: return name_of(static_cast<int>(step.number));
+        case Kind::sum: return "+";
+        case Kind::difference: return "-";
+        case Kind::product: return "*";
+        case Kind::quotient: return "/";
+        case Kind::negative: return "negative";
+        case Kind::power: return Json::array({"power", step.number});
+        case Kind::sine: return "sin";
+        case Kind::cosine: return "cos";
+        case Kind::tangent: return "tan";
+        case Kind::arc_sine: return "arcsin";
+        case Kind::arc_cosine: return "arccos";
+        case Kind::arc_tangent: return "arctan";
+        case Kind::exponential: return "exp";
+        case Kind::logarithm: return "ln";
+        case Kind::square_root: return "sqrt";
+        case Kind::absolute: return "abs";
+    }
+    return {};
+}
+
+/// Steps of a formula of vectors; component x of s_i is "s_i.x".
+inline Json field(const ScalarFormula& formula) {
+    constexpr std::array<const char*, kFormulaVectors> vectors{"s_i",   "s_j",   "u_i",   "u_j",   "d",
+                                                               "r_i",   "r_j",   "r_i_P", "r_j_P", "A_i.x",
+                                                               "A_i.y", "A_i.z", "A_j.x", "A_j.y", "A_j.z"};
+    Json steps = Json::array();
+    for (const FormulaStep& step : formula.steps) {
+        steps.push_back(step_json(step, [&](int variable) {
+            return std::string(vectors[static_cast<std::size_t>(variable / 3)]) + "." + "xyz"[variable % 3];
+        }));
+    }
+    return steps;
 }
 
 }  // namespace jw

@@ -21,32 +21,6 @@ const char* word_of(NoProof reason) {
 
 Json list(const VectorX& numbers) { return jw::json_of(numbers); }
 
-/// A number, "t" or the name of an operation; a power with its exponent.
-Json json_of(const FormulaStep& step) {
-    using Kind = FormulaStep::Kind;
-    switch (step.kind) {
-        case Kind::number: return step.number;
-        case Kind::variable: return "t";
-        case Kind::sum: return "+";
-        case Kind::difference: return "-";
-        case Kind::product: return "*";
-        case Kind::quotient: return "/";
-        case Kind::negative: return "negative";
-        case Kind::power: return Json::array({"power", step.number});
-        case Kind::sine: return "sin";
-        case Kind::cosine: return "cos";
-        case Kind::tangent: return "tan";
-        case Kind::arc_sine: return "arcsin";
-        case Kind::arc_cosine: return "arccos";
-        case Kind::arc_tangent: return "arctan";
-        case Kind::exponential: return "exp";
-        case Kind::logarithm: return "ln";
-        case Kind::square_root: return "sqrt";
-        case Kind::absolute: return "abs";
-    }
-    return {};
-}
-
 Json json_of(const TimeFunction& function) {
     Json harmonics = Json::array();
     for (const auto& h : function.harmonics) { harmonics.push_back({h.amplitude, h.omega, h.phase}); }
@@ -64,7 +38,7 @@ Json json_of(const TimeFunction& function) {
     if (function.formula) {
         Json operations = Json::array();
         for (const FormulaStep& step : function.formula->formula.steps) {
-            operations.push_back(json_of(step));
+            operations.push_back(step_json(step, [](int) { return "t"; }));
         }
         json["formula"] = {{"unit", function.formula->unit}, {"steps", operations}};
     }
@@ -84,6 +58,7 @@ const char* kind_of(const ScrewAdvance& /*c*/) { return "screw advance"; }
 const char* kind_of(const ScrewAngle& /*c*/) { return "screw angle"; }
 const char* kind_of(const Wheel& /*c*/) { return "wheel"; }
 const char* kind_of(const OnCurve& /*c*/) { return "on curve"; }
+const char* kind_of(const FormulaEquation& /*c*/) { return "formula"; }
 
 /// Kind and data of an equation, vectors in the frames of its bodies.
 struct Geometry {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "app/session/picture/picture_parts.hpp"
 #include "core/elementary/elementary.hpp"
 #include "core/jets/euler_parameters.hpp"
 
@@ -34,7 +35,7 @@ Axes axes_of(const Story& story) {
     for (const Joint& joint : story.lesson().mechanism.joints) {
         const bool crossed = joint.type->uses(Role::axes_perpendicular);
         axes.planar = axes.planar && joint.type->uses(Role::axes_parallel);
-        if (!joint.type->uses(kAxisI)) { continue; }
+        if (!picture::contains(joint, kAxisI, {FormulaVector::s_i})) { continue; }
         axes.all.push_back(direction(joint.body_i, joint.geometry.s_i_local));
         if (crossed) { axes.all.push_back(direction(joint.body_j, joint.geometry.s_j_local)); }
         // a joint that slides along its axis is seen best from the side

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -35,6 +36,9 @@ struct PlacedJoint {
     double displacement() const { return s_i.dot(P_j - P_i); }
 };
 PlacedJoint placed(const Mechanism& mechanism, int joint, const State& state);
+
+/// True if the equations of a joint contain a vector: one of `vectors`, or of those of its author's formula.
+bool contains(const Joint& joint, jw::Vectors vectors, std::initializer_list<FormulaVector> of_author);
 
 /// Radius of a pin; other sizes are multiples of it.
 inline double pin_radius(double unit) { return 0.011 * unit; }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/session/picture/picture_parts.hpp"
+#include "lessons/lesson/things.hpp"
 
 namespace jw::picture {
 
@@ -42,15 +43,20 @@ public:
           picture_(&picture) {}
 
     void draw() {
-        const JointType& type = *j_.joint->type;
-        uses_d_ = type.uses(kD);
-        if (uses_d_ || type.uses(Role::same_point)) {
-            points(type.uses(Role::same_point) || type.uses(Role::length) ? "P" : "B");
+        const Joint& joint = *j_.joint;
+        const JointType& type = *joint.type;
+        const bool uses_d = contains(joint, kD, {FormulaVector::d});
+        if (type.uses(Role::same_point) ||
+            contains(joint, kD, {FormulaVector::d, FormulaVector::r_i_P, FormulaVector::r_j_P})) {
+            const bool is_P = type.uses(Role::same_point) || type.uses(Role::length) || type.has_formula();
+            points(is_P ? "P" : "B");
         }
-        axes(type);
-        if (type.uses(kSidesH)) { sides("\\mathbf{h}", j_.h_i, j_.h_j); }
-        if (type.uses(kSidesU)) { sides("\\mathbf{u}", j_.u_i, j_.u_j); }
-        if (uses_d_) {
+        axes(contains(joint, kAxisI, {FormulaVector::s_i}), contains(joint, kAxisJ, {FormulaVector::s_j}));
+        if (type.uses(kSidesH)) { sides("\\mathbf{h}", &j_.h_i, &j_.h_j); }
+        const bool uses_u_i = contains(joint, kSidesU, {FormulaVector::u_i});
+        const bool uses_u_j = contains(joint, kSidesU, {FormulaVector::u_j});
+        sides("\\mathbf{u}", uses_u_i ? &j_.u_i : nullptr, uses_u_j ? &j_.u_j : nullptr);
+        if (uses_d) {
             const Vec3 aside = aside_of_d(type);
             add_distance(style_, j_.P_i + aside, j_.P_j + aside, "\\mathbf{d}", *picture_);
         }
@@ -78,9 +84,7 @@ private:
         const double distance = std::abs(apart.dot(beside(style_, j_.s_i)));
         return overlap(seen(j_.s_i), seen(j_.s_j), distance, kApart * unit_);
     }
-    void axes(const JointType& type) {
-        const bool uses_i = type.uses(kAxisI);
-        const bool uses_j = type.uses(kAxisJ);
+    void axes(bool uses_i, bool uses_j) {
         // one on each side of their common line
         const double half = uses_j ? 0.5 * kApart * unit_ * axes_overlap() : 0.0;
         const double sense = beside(style_, j_.s_i).dot(beside(style_, j_.s_j)) < 0.0 ? -1.0 : 1.0;
@@ -119,26 +123,36 @@ private:
         return way * along * (aside_i_ + kApart * unit_) * side;
     }
     /// One below and one above if both lie on each other, like u_i and u_j at angle zero.
-    void sides(const std::string& name, const Vec3& i, const Vec3& j) {
+    /// @param i  null where the equations do not contain it
+    void sides(const std::string& name, const Vec3* i, const Vec3* j) {
         const double length = joint_style_.side + kSideLength * unit_;
-        const double same = i.dot(j) > 0.0 ? overlap(i, j, 0.0, kApart * unit_) : 0.0;
+        const bool both = i != nullptr && j != nullptr;
+        const double same = both && i->dot(*j) > 0.0 ? overlap(*i, *j, 0.0, kApart * unit_) : 0.0;
         const double half = 0.5 * kApart * unit_ * same;
-        const Vec3 foot_i = j_.P_i - std::max(half, margin(joint_style_.lift_i)) * j_.s_i;
-        const Vec3 foot_j = j_.P_j + std::max(half, margin(joint_style_.lift_j)) * j_.s_j;
-        add_vector(style_, foot_i, foot_i + length * i, palette::kVectorI, name + "_i", *picture_);
-        add_vector(style_, foot_j, foot_j + 0.9 * length * j, palette::kVectorJ, name + "_j", *picture_);
+        if (i != nullptr) {
+            const Vec3 foot = j_.P_i - std::max(half, margin(joint_style_.lift_i)) * j_.s_i;
+            add_vector(style_, foot, foot + length * *i, palette::kVectorI, name + "_i", *picture_);
+        }
+        if (j != nullptr) {
+            const Vec3 foot = j_.P_j + std::max(half, margin(joint_style_.lift_j)) * j_.s_j;
+            add_vector(style_, foot, foot + 0.9 * length * *j, palette::kVectorJ, name + "_j", *picture_);
+        }
     }
 
     const PlacedJoint& j_;
     const JointStyle& joint_style_;
     const PictureStyle& style_;
     double unit_;
-    bool uses_d_ = false;
     double aside_i_ = 0.0;
     Picture* picture_;
 };
 
 }  // namespace
+
+bool contains(const Joint& joint, jw::Vectors vectors, std::initializer_list<FormulaVector> of_author) {
+    if (!joint.type->has_formula()) { return joint.type->uses(vectors); }
+    return contains_any(joint.geometry.formula, of_author);
+}
 
 Vec3 beside(const PictureStyle& style, const Vec3& line) {
     const Vec3 side = line.cross(style.view);

@@ -127,12 +127,13 @@ void Emphasis::add_row_and_its_vectors(const System& system, int row) {
     }
     const Constraint& c = system.constraints()[k];
     add(Pointable::joint(c.joint));
-    add_vectors(c.joint, c.role);
+    add_vectors(system, c.joint, c.role);
 }
 
-void Emphasis::add_vectors(int joint, Role role) {
+void Emphasis::add_vectors(const System& system, int joint, Role role) {
+    const Joint& j = system.mechanism().joints[static_cast<std::size_t>(joint)];
     for (const int part : {Pointable::kVectorI, Pointable::kVectorJ, Pointable::kVectorD}) {
-        if (is_made_of(role, part)) { add(Pointable::vector(joint, part)); }
+        if (is_made_of(j, role, part)) { add(Pointable::vector(joint, part)); }
     }
 }
 
@@ -141,7 +142,7 @@ void Emphasis::add_coming_equation(const System& system, int joint, int number) 
     const std::vector<LabelledEquation> equations = equations_of(*j.type, j.parallel_form);
     add(Pointable::joint(joint));
     if (static_cast<std::size_t>(number) < equations.size()) {
-        add_vectors(joint, equations[static_cast<std::size_t>(number)].equation.role);
+        add_vectors(system, joint, equations[static_cast<std::size_t>(number)].equation.role);
     }
 }
 
@@ -160,7 +161,9 @@ void Emphasis::add_rows_with_vector(const System& system, int joint, int part) {
         const RowOrigin origin = system.origin(row);
         if (origin.kind != RowOrigin::Kind::constraint) { continue; }
         const Constraint& c = system.constraints()[static_cast<std::size_t>(origin.index)];
-        if (c.joint == joint && is_made_of(c.role, part)) { add(Pointable::row(row)); }
+        if (c.joint != joint) { continue; }
+        const Joint& j = system.mechanism().joints[static_cast<std::size_t>(joint)];
+        if (is_made_of(j, c.role, part)) { add(Pointable::row(row)); }
     }
 }
 

@@ -69,7 +69,7 @@ public:
 private:
     void add(const Pointable& link);
     void add_row_and_its_vectors(const System& system, int row);
-    void add_vectors(int joint, Role role);
+    void add_vectors(const System& system, int joint, Role role);
     void add_coming_equation(const System& system, int joint, int number);
     void add_rows_of_joint(const System& system, int joint);
     void add_rows_with_vector(const System& system, int joint, int part);

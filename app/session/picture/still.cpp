@@ -72,7 +72,7 @@ Annotation name_of(const picture::PlacedJoint& joint) {
 /// Adds dashes between points of a joint that are apart, or that only the joint's name would connect.
 void add_connection(const PictureStyle& style, const picture::PlacedJoint& joint, render::Scene& scene) {
     const JointType& type = *joint.joint->type;
-    if (type.glyph == JointGlyph::none && !type.uses(kD)) {
+    if (type.glyph == JointGlyph::none && !picture::contains(*joint.joint, kD, {FormulaVector::d})) {
         scene.polylines.push_back({{joint.P_i, joint.P_j}, 2.5, render::palette::kInkFaint, true});
     }
     if (!type.uses(Role::same_point)) { return; }

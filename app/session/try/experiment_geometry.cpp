@@ -2,6 +2,7 @@
 #include <array>
 
 #include "app/session/try/experiment_parts.hpp"
+#include "lessons/formula/steps_of_formula.hpp"
 #include "lessons/lesson/enum_words.hpp"
 #include "lessons/typed/exact_text.hpp"
 
@@ -39,6 +40,7 @@ constexpr std::array kOptional{
     OptionalKey{"displacement_dot_start", &JointGeometry::displacement_dot_start}};
 
 constexpr const char* kAngleRow = "angle_row";
+constexpr const char* kFormula = "formula";
 
 std::vector<std::string> keys() {
     std::vector<std::string> all;
@@ -46,6 +48,7 @@ std::vector<std::string> keys() {
     for (const NumberKey& key : kNumbers) { all.emplace_back(key.name); }
     for (const OptionalKey& key : kOptional) { all.emplace_back(key.name); }
     all.emplace_back(kAngleRow);
+    all.emplace_back(kFormula);
     return all;
 }
 
@@ -63,7 +66,16 @@ bool side_of(Words& words) {
     return words.name(sides, "side") == 1;
 }
 
-void read_member(Words& words, JointGeometry& g) {
+ScalarFormula read_formula(Words& words, const JointType& type) {
+    if (!type.has_formula()) { throw Unreadable("a " + std::string(type.name) + " joint has no formula"); }
+    try {
+        return formula::constraint_formula(words.text("the formula"));
+    } catch (const formula::NotEvaluated& failed) {
+        throw Unreadable(failed.problem().message, failed.problem().hint);
+    }
+}
+
+void read_member(Words& words, const JointType& type, JointGeometry& g) {
     const std::vector<std::string> all = keys();
     const std::string key = all[words.name(all, "part of a joint")];
     for (const VectorKey& k : kVectors) {
@@ -81,6 +93,7 @@ void read_member(Words& words, JointGeometry& g) {
     if (key == kAngleRow) {
         g.screw_angle_form = kAngleRows[words.name(words_of(kAngleRows), "angle row")].value;
     }
+    if (key == kFormula) { g.formula = read_formula(words, type); }
 }
 
 /// Lists the members in which `g` differs from `before`.
@@ -102,6 +115,7 @@ std::string differences(const JointGeometry& before, const JointGeometry& g) {
     if (before.screw_angle_form != g.screw_angle_form) {
         add(kAngleRow, word_of(kAngleRows, g.screw_angle_form));
     }
+    if (before.formula != g.formula) { add(kFormula, "\"" + g.formula.source + "\""); }
     return text;
 }
 
@@ -142,7 +156,8 @@ SetGeometry read_length(Words& words, const Lesson& lesson) {
 
 SetGeometry read_geometry(Words& words, const Lesson& lesson) {
     SetGeometry experiment = joint_named(words, lesson);
-    while (!words.done()) { read_member(words, experiment.geometry); }
+    const JointType& type = *joint_of(lesson, experiment.joint).type;
+    while (!words.done()) { read_member(words, type, experiment.geometry); }
     return experiment;
 }
 

@@ -50,6 +50,7 @@ std::string gap_text(const System& system, const Contradiction& c) {
         case Role::sides_perpendicular:
             return tr("the sides of {0} stay {1} off a right angle", joint, angle);
         case Role::length: return tr("the points of {0} stay {1} off their distance", joint, metres);
+        case Role::formula: return tr("the formula of {0} stays off by {1}", joint, number_text(c.gap, 3));
         case Role::screw_advance:
         case Role::rack_advance: return tr("the advance of {0} stays off by {1}", joint, metres);
         case Role::curve_x:

@@ -1,5 +1,6 @@
 #include "app/session/wording/labels.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "core/numerics/variants.hpp"
@@ -33,6 +34,14 @@ std::string curve_formula(const std::string& axis) {
         R"(\mathbf{e}_)" + axis + R"(^T \mathbf{A}_i^T \mathbf{d} - c_)" + axis + R"((\theta) = 0)");
 }
 
+/// The formula of an author, who may leave out that it is 0.
+std::string as_equation(const std::string& source) {
+    const bool is_one = std::ranges::any_of(std::array{"=", "≡", R"(\equiv)"}, [&](const char* sign) {
+        return source.find(sign) != std::string::npos;
+    });
+    return is_one ? source : source + " = 0";
+}
+
 /// Marks of each primitive; the count in the superscript is that of independent equations, as on the slides.
 std::string formula_of(Role role, const Joint& joint) {
     const bool pair = joint.parallel_form == ParallelForm::pair;
@@ -55,6 +64,7 @@ std::string formula_of(Role role, const Joint& joint) {
         case Role::distance_perpendicular_j: return combined("n2,1", R"(\mathbf{s}_j^T \mathbf{d} = 0)");
         case Role::sides_perpendicular: return combined("n1,1", R"(\mathbf{h}_i^T \mathbf{h}_j = 0)");
         case Role::length: return combined("d,1", R"(\mathbf{d}^T \mathbf{d} - L^2 = 0)");
+        case Role::formula: return combined("f,1", as_equation(joint.geometry.formula.source));
         case Role::screw_advance: return combined("r,1", R"((d - d^0) - \alpha\,(\theta - \theta^0) = 0)");
         case Role::curve_x: return curve_formula("x");
         case Role::curve_y: return curve_formula("y");
@@ -85,7 +95,8 @@ std::string formula_of(Role role, const Joint& joint) {
 
 const char* unit_of_role(Role role) {
     switch (traits_of(role).dimension) {
-        case Dimension::none: return "-";
+        case Dimension::none:
+        case Dimension::of_author: return "-";
         case Dimension::length: return "m";
         case Dimension::square: break;
     }

@@ -76,7 +76,9 @@ void ProvedPart::bound_derivatives(const StepEnd& end, Anchor& anchor) const {
             anchor.i[g].r.norm() / length + kReachOfLength, kSizeOfP,
             anchor.j[g].r.norm() / length + kReachOfLength, kSizeOfP, std::abs(theta.value) + theta.reach};
         DerivativeBounds& bounds = anchor.derivatives[g];
-        anchor.rounding[g] = 0.0;
+        const auto* const formula = std::get_if<FormulaEquation>(&equation.primitive);
+        anchor.rounding[g] =
+            formula == nullptr ? 0.0 : rounding(*formula, anchor.i[g], anchor.j[g]) / equation.unit;
         for (std::size_t c = 0; c < kBlocks; ++c) {
             bounds.first[c] *= scale[c] / equation.unit;
             anchor.rounding[g] += kRoundingOfRow * bounds.first[c] * size[c];

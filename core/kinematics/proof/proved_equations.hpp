@@ -64,8 +64,9 @@ auto equations(
 }
 
 using ProvedPrimitive = std::variant<
-    N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, ScrewAdvance, ScrewAngle, Wheel, OnCurve, UnitLength,
-    AngleMeasure, DisplacementMeasure, SquaredDistanceMeasure, CoordinateMeasure, ThetaMeasure>;
+    N1, N2, N2J, P1, P2, S, Distance, N1Pair, N2Pair, FormulaEquation, ScrewAdvance, ScrewAngle, Wheel,
+    OnCurve, UnitLength, AngleMeasure, DisplacementMeasure, SquaredDistanceMeasure, CoordinateMeasure,
+    ThetaMeasure>;
 
 struct ProvedEquation {
     ProvedPrimitive primitive;

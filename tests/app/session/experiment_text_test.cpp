@@ -119,6 +119,18 @@ TEST_CASE("names with blanks, and names that begin others, are read as they are 
     CHECK(std::get<SetParallelForm>(read("form \"the long pin\" rule", session)).joint == 1);
 }
 
+TEST_CASE(
+    "a formula joint can be given another equation, which is told as it was written", "[app][session]") {
+    const Session session(without_motion(lesson_named("loops/constant-velocity")));
+    const std::string text =
+        R"(geometry coupling formula "\mathbf{u}_i^T \tilde{\mathbf{s}}_j \mathbf{u}_j = 0")";
+    const Experiment experiment = read(text, session);
+    CHECK(std::get<SetGeometry>(experiment).geometry.formula.source.find("= 0") != std::string::npos);
+    check_there_and_back(experiment, session);
+    CHECK(problem_of("geometry kingpin formula \"d_x\"", session) == "a revolute joint has no formula");
+    CHECK(problem_of("geometry coupling formula \"t\"", session).find("time") != std::string::npos);
+}
+
 TEST_CASE("sentences are read as a student means them", "[app][session]") {
     const Session session(without_motion(lesson_named("loops/four-bar")));
     const auto driver = [&](const std::string& text) {

@@ -164,9 +164,21 @@ struct OffCurve {
     bool second = false;
 };
 
+/// A formula of the components of vectors: variable 3 k + c is component c of vector k, global.
+struct OfVectors {
+    struct Vector {
+        enum class Kind { direction, point, way };
+        Kind kind = Kind::direction;
+        Fixed to;         ///< the direction, the point, or the end of the way ...
+        Fixed from = {};  ///< ... that begins at this point
+    };
+    FormulaTree formula;
+    std::vector<Vector> vectors;
+};
+
 using Measure = std::variant<
     Product, CrossProduct, Along, CrossDistance, Gap, SquaredDistance, Angle, Coordinate, ThreadAngle, Thread,
-    WheelAngle, Mesh, Rolling, OffCurve>;
+    WheelAngle, Mesh, Rolling, OffCurve, OfVectors>;
 
 /// measure = constant + f(t), or (f(t))² for a squared distance that is driven.
 struct Equation {

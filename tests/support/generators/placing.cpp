@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/formula_value.hpp"
+#include "tests/support/vector_formulas.hpp"
+
 namespace jw::test {
 
 namespace {
@@ -74,6 +77,26 @@ void set_wheels(Joint& joint, const Body& i, const Body& j, Random& random, doub
     const Vec3 along = (e - e.dot(s_j) * s_j).normalized();
     const double other = g.ratio * theta;
     g.u_j_local = A_j.transpose() * (std::cos(other) * along + std::sin(other) * s_j.cross(along));
+}
+
+/// An equation of an author that holds in this pose. It knows no global direction, and it is regular as long
+/// as the points are apart and s_i and s_j are not parallel.
+void set_formula(Joint& joint, const Body& i, const Body& j, Random& random, double length) {
+    using namespace authored;
+    using enum FormulaVector;
+    JointGeometry& g = joint.geometry;
+    const std::array left{
+        dot(s_i, s_j),
+        dot(s_i, d),
+        dot(d, d),
+        square_root(dot(d, d)) - number(0.3 * length) * dot(u_i, u_j),
+        dot(u_i, d) + number(length) * sine(dot(s_i, s_j)),
+        dot(s_j, d) / (number(2.0) + power(dot(u_i, u_j), 2.0))};
+    const Part& one = left[static_cast<std::size_t>(random.number(0.0, 0.999) * left.size())];
+    const auto A = [](const Body& body) { return rotation_matrix(body.p).cast<long double>().eval(); };
+    const std::vector<long double> variables =
+        formula_variables(g, i.r.cast<long double>(), A(i), j.r.cast<long double>(), A(j));
+    g.formula = equation(one, static_cast<double>(formula_value(one.steps, variables)));
 }
 
 }  // namespace
@@ -164,12 +187,17 @@ Joint Placing::joint(
     if (type.uses(Role::axes_perpendicular)) { s_j = side; }
     if (type.uses(Role::distance_parallel)) { P_j += length_ * random.number(-1.0, 1.0) * s_i; }
     if (type.uses(Role::distance_perpendicular)) { P_j += length_ * random.number(0.2, 1.0) * side; }
+    const auto part = [&] {
+        P_j = point(random);
+        if ((P_j - P_i).norm() < 0.2 * length_) { P_j += length_ * along_; }
+    };
     if (type.uses(Role::length)) {
-        if (!type.uses(Role::distance_perpendicular)) {
-            P_j = point(random);
-            if ((P_j - P_i).norm() < 0.2 * length_) { P_j += length_ * along_; }
-        }
+        if (!type.uses(Role::distance_perpendicular)) { part(); }
         g.length = (P_j - P_i).norm();
+    }
+    if (type.has_formula()) {
+        part();
+        s_j = (side + random.number(-1.0, 1.0) * s_i).normalized();
     }
     if (type.name == "gear" || type.name == "belt") { P_j += length_ * random.number(0.2, 1.0) * side; }
     if (type.name == "rack") {
@@ -184,13 +212,17 @@ Joint Placing::joint(
     // lengths of axes scale equations and change nothing else
     g.s_i_local = random.number(0.5, 2.0) * local(body_i, s_i);
     g.s_j_local = random.number(0.5, 2.0) * local(body_j, s_j);
-    set_sides(joint, body_i, body_j, across, type.uses(Role::sides_perpendicular) ? s_i.cross(across) : side);
+    Vec3 side_j = side;
+    if (type.uses(Role::sides_perpendicular)) { side_j = s_i.cross(across); }
+    if (type.has_formula()) { side_j = s_i.cross(side); }
+    set_sides(joint, body_i, body_j, across, side_j);
+    if (type.has_formula()) { set_formula(joint, body_i, body_j, random, length_); }
     if (type.uses(Role::screw_advance)) { set_thread(joint, body_i, body_j, random, length_); }
     if (type.name == "curve") {
         const double theta = random.number(-3.0, 3.0);
-        const auto part = [&] { return random.vector(0.5 * length_); };
-        g.curve.harmonics = {{part(), part()}, {0.2 * part(), 0.2 * part()}};
-        if (random.number() < 0.0) { g.curve.linear = part(); }
+        const auto arm = [&] { return random.vector(0.5 * length_); };
+        g.curve.harmonics = {{arm(), arm()}, {0.2 * arm(), 0.2 * arm()}};
+        if (random.number() < 0.0) { g.curve.linear = arm(); }
         g.P_j_local = local_point(body_j, point(random));
         const Vec3 P = body_j.r + rotation_matrix(body_j.p) * g.P_j_local;
         g.curve.constant = local_point(body_i, P) - g.P_i_local - g.curve.at(theta).c;

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/support/generators/formula_to_model.hpp"
+
 namespace jw::test {
 
 namespace general = reference::general;
@@ -12,21 +14,8 @@ namespace {
 
 reference::Vec3 real(const Vec3& v) { return v.cast<long double>(); }
 
-/// The tree of steps for a stack, read from the last one on. @param next  one after its last step
-general::FormulaTree tree_of(const std::vector<FormulaStep>& steps, std::size_t& next) {
-    static const std::vector<std::string> names{"number",   "variable", "+",   "-",   "*",    "/",
-                                                "negative", "power",    "sin", "cos", "tan",  "arcsin",
-                                                "arccos",   "arctan",   "exp", "ln",  "sqrt", "abs"};
-    const FormulaStep& step = steps.at(--next);
-    general::FormulaTree out{names.at(static_cast<std::size_t>(step.kind)), step.number, {}};
-    for (int k = 0; k < operands_of(step.kind); ++k) { out.of.insert(out.of.begin(), tree_of(steps, next)); }
-    return out;
-}
-
-std::optional<general::FormulaTree> tree_of(const std::optional<ScalarFormula>& formula) {
-    if (!formula) { return std::nullopt; }
-    std::size_t next = formula->steps.size();
-    return tree_of(formula->steps, next);
+std::optional<general::FormulaTree> law_of(const std::optional<ScalarFormula>& formula) {
+    return formula ? std::optional(tree_of(formula->steps)) : std::nullopt;
 }
 
 general::Friction real(const DryFriction& f) { return {f.size, f.speed}; }
@@ -38,9 +27,8 @@ general::TimeFunction real(const TimeFunction& f) {
     for (const auto& s : f.steps) { out.ramps.push_back({s.from, s.to, s.start, s.end}); }
     if (f.table) { out.tables.push_back({f.table->times, f.table->values}); }
     if (f.formula) {
-        std::size_t next = f.formula->formula.steps.size();
         out.formulas.push_back(
-            {"*", 0.0L, {tree_of(f.formula->formula.steps, next), {"number", f.formula->unit, {}}}});
+            {"*", 0.0L, {tree_of(f.formula->formula.steps), {"number", f.formula->unit, {}}}});
     }
     return out;
 }
@@ -111,6 +99,7 @@ public:
     void mesh();
     void rack();
     void curve();
+    void formula();
 
     std::vector<general::Equation> take() { return std::move(out_); }
 
@@ -233,6 +222,10 @@ void JointWriter::curve() {
     }
 }
 
+void JointWriter::formula() {
+    if (!taken_out(Role::formula, 0)) { out_.push_back(equation_of_formula(joint_, of_)); }
+}
+
 void write_joint(const std::string_view type, JointWriter& writer) {
     const auto is = [&](std::initializer_list<std::string_view> names) {
         return std::ranges::find(names, type) != names.end();
@@ -257,6 +250,7 @@ void write_joint(const std::string_view type, JointWriter& writer) {
     if (is({"gear", "belt", "bevel-gear"})) { writer.mesh(); }
     if (is({"rack"})) { writer.rack(); }
     if (is({"curve"})) { writer.curve(); }
+    if (is({"formula"})) { writer.formula(); }
 }
 
 void write_loads(const Loads& loads, general::Model& model) {
@@ -278,12 +272,12 @@ void write_loads(const Loads& loads, general::Model& model) {
              s.damping,
              s.s_i_local ? std::optional(general::Fixed{s.body_i, real(*s.s_i_local)}) : std::nullopt,
              real(s.friction),
-             tree_of(s.law)});
+             law_of(s.law)});
     }
     for (const RotationalSpring& s : loads.rotational_springs) {
         model.turning_springs.push_back(
             {angle_between(s.body_i, s.body_j, s.angle.s_i_local, s.angle.u_i_local, s.angle.u_j_local),
-             s.stiffness, s.free_angle, s.damping, real(s.friction), tree_of(s.law)});
+             s.stiffness, s.free_angle, s.damping, real(s.friction), law_of(s.law)});
     }
 }
 
