@@ -1,6 +1,7 @@
 #include "core/equations/system.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -21,25 +22,35 @@ double unit_of(const Primitive& primitive, double length) {
     return std::visit([&](const auto& p) { return p.unit(length); }, primitive);
 }
 
-/// Sizes of the gradient of a formula by positions and by turns: the largest ones at the start poses and with
-/// body j turned by a radian, so that a pose at which the gradient is 0 does not decide.
-void set_size(FormulaEquation& formula, const Body& body_i, const Body& body_j) {
-    using Number = BodyKinematics<OmegaLocal>;
-    const Number i = kinematics_at<OmegaLocal>(body_i.r, body_i.p);
+/// How far beside a pose the gradient of a formula is looked at, too: in units of length, and in radians.
+constexpr double kBesidePose = 0.01;
+
+/// Sizes of the gradient of a formula by positions and by turns: the largest ones at a pose and beside it, so
+/// that a pose at which the gradient is 0 does not decide. Farther away it may be many times as large.
+void set_size(
+    FormulaEquation& formula, const std::array<Vec3, 2>& r, const std::array<Vec4, 2>& p, double length) {
     double by_length = 0.0;
     double by_turn = 0.0;
-    for (int turned = 0; turned < 4; ++turned) {
-        Vec4 turn = Vec4::Unit(0);
-        if (turned > 0) {
-            const auto [sine, cosine] = elementary::sine_and_cosine(0.5);
-            turn = cosine * Vec4::Unit(0) + sine * Vec4::Unit(turned);
-        }
-        const Number j = kinematics_at<OmegaLocal>(body_j.r, product(body_j.p, turn));
+    const auto look = [&](const std::array<Vec3, 2>& at, const std::array<Vec4, 2>& turned) {
+        const auto i = kinematics_at<OmegaLocal>(at[0], turned[0]);
+        const auto j = kinematics_at<OmegaLocal>(at[1], turned[1]);
         const auto jet = equations<Content::jacobian>(formula, i, j, Theta{});
         for (const auto& block : {jet.block_i, jet.block_j}) {
             if (!block.allFinite()) { continue; }
             by_length = std::max(by_length, block.leftCols<3>().norm());
             by_turn = std::max(by_turn, block.rightCols<3>().norm());
+        }
+    };
+    look(r, p);
+    const auto [sine, cosine] = elementary::sine_and_cosine(0.5 * kBesidePose);
+    for (std::size_t body = 0; body < 2; ++body) {
+        for (int axis = 0; axis < 3; ++axis) {
+            auto moved = r;
+            moved[body](axis) += kBesidePose * length;
+            look(moved, p);
+            auto turned = p;
+            turned[body] = product(p[body], Vec4(cosine * Vec4::Unit(0) + sine * Vec4::Unit(axis + 1)));
+            look(r, turned);
         }
     }
     formula.by_length = by_length;
@@ -107,7 +118,9 @@ void System::add_joint(int joint, int theta) {
             if (formula->formula.steps.empty()) {
                 throw std::invalid_argument("joint '" + j.name + "' has no formula");
             }
-            set_size(*formula, mechanism_->bodies[at(j.body_i)], mechanism_->bodies[at(j.body_j)]);
+            const Body& i = mechanism_->bodies[at(j.body_i)];
+            const Body& other = mechanism_->bodies[at(j.body_j)];
+            set_size(*formula, {i.r, other.r}, {i.p, other.p}, length_unit_);
         }
         c.unit = unit_of(c.primitive, length_unit_);
         for (const EquationOut& out : j.without) {
@@ -155,6 +168,12 @@ bool System::choose_rows(const State& state) {
     bool changed = false;
     for (Constraint& c : constraints_) {
         const Joint& joint = mechanism_->joints[static_cast<std::size_t>(c.joint)];
+        if (auto* formula = std::get_if<FormulaEquation>(&c.primitive)) {
+            const std::size_t i = at(c.body_i);
+            const std::size_t j = at(c.body_j);
+            set_size(*formula, {state.r[i], state.r[j]}, {state.p[i], state.p[j]}, length_unit_);
+            c.unit = unit_of(c.primitive, length_unit_);
+        }
         if (!is_parallel(c.role) || joint.parallel_form != ParallelForm::rule) { continue; }
         if (c.taken_out != 0 && c.dropped >= 0) { continue; }
         const Vec3 s_i =

@@ -59,6 +59,10 @@ double size_of(const FormulaStep& step, double value, double a, double size_a, d
         case Kind::arc_tangent: return std::abs(value) + size_a;
         default: break;
     }
+    if (a == 0.0 && operands_of(step.kind) == 1) {
+        const double slope = formula_steps::result_of(step, Taylor<double, 2>::variable(a)).c[1];
+        return std::max(std::abs(value), std::abs(slope) * size_a);
+    }
     // the same share of the value as of the operand
     return a != 0.0 ? std::abs(value) * std::max(1.0, size_a / std::abs(a)) : std::abs(value);
 }
@@ -124,7 +128,11 @@ double ScalarFormula::size_at(std::span<const double> variables) const {
                                   ? formula_steps::result_of(step, Number::constant(a), Number::constant(b))
                                   : formula_steps::result_of(step, Number::constant(a));
         values.push_back(result.c[0]);
-        sizes.push_back(size_of(step, values.back(), a, take(sizes), size_b));
+        const double size_a = take(sizes);
+        sizes.push_back(
+            step.kind == FormulaStep::Kind::quotient
+                ? std::max(size_a, std::abs(values.back()) * size_b) / std::abs(b)
+                : size_of(step, values.back(), a, size_a, size_b));
     }
     return sizes.back();
 }

@@ -96,7 +96,7 @@ KinematicResiduals residuals_of(
         system, state, velocity, t, [&](int row, const Terms& terms, const TimeFunction::Value& target) {
             const double unit = system.row_unit(row);
             const auto keep_largest = [&](double& largest, double value) {
-                largest = std::max(largest, std::abs(value) / unit);
+                largest = std::isnan(value) ? HUGE_VAL : std::max(largest, std::abs(value) / unit);
             };
             keep_largest(out.position.residual, terms.value);
             keep_largest(out.velocity.residual, terms.rate - target.f_dot);

@@ -78,6 +78,8 @@ NewtonStep NewtonStepper<C>::look() {
     step.phi_norm = phi.norm();
     Eigen::Index largest = 0;
     step.residual = phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff(&largest);
+    // a comparison with NaN drops it
+    if (!phi.allFinite()) { step.residual = HUGE_VAL; }
     step.largest_row = static_cast<int>(largest);
     step.largest_value = phi(largest);
     return step;

@@ -1,5 +1,6 @@
 #include "core/poses/position.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/poses/closest_fit.hpp"
@@ -40,7 +41,19 @@ bool slide_screws(const System& system, State& state) {
 bool is_met(const System& system, const State& state, double t) {
     ScaledEquations equations(system, t);
     equations.look(state);
-    return equations.phi().cwiseAbs().maxCoeff() <= kFloorTolerance;
+    return equations.phi().allFinite() && equations.phi().cwiseAbs().maxCoeff() <= kFloorTolerance;
+}
+
+/// True if a formula is far smaller, where a solution is, than where its size was taken: what is left of it
+/// may be more than rounding there.
+bool is_smaller_there(const System& system, const State& state) {
+    const auto has_formula = [](const Constraint& c) { return c.role == Role::formula; };
+    if (std::ranges::none_of(system.constraints(), has_formula)) { return false; }
+    System there = system;
+    there.choose_rows(state);
+    return !std::ranges::equal(
+        there.constraints(), system.constraints(),
+        [](const Constraint& a, const Constraint& b) { return a.unit >= 0.1 * b.unit; });
 }
 
 constexpr int kMostBranches = 4;  // each attempt turns one body; more attempts would only repeat earlier ones
@@ -91,7 +104,9 @@ PositionOutcome solve_position(
         const bool complete = left_out_rows_hold(system, stepper.state());
         if (!wrong && complete) {
             state = stepper.state();
-            return outcome;
+            if (!is_smaller_there(system, state)) { return outcome; }
+            system.choose_rows(state);
+            return solve_position<C>(system, state, t, observer);
         }
         if (!complete && choices++ < kMostBranches && system.choose_rows(stepper.state())) {
             guess = stepper.state();

@@ -1,8 +1,10 @@
 #include <cmath>
+#include <optional>
 
 #include <catch2/catch.hpp>
 
 #include "core/kinematics/proof/step_proof.hpp"
+#include "core/poses/position.hpp"
 #include "tests/support/moved_positions.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -211,6 +213,30 @@ TEST_CASE(
         CHECK_FALSE(verdict.holds);
         CHECK(std::isfinite(verdict.margin));
     }
+}
+
+TEST_CASE("A formula far steeper at the start is closed as exactly as others", "[core][formula_joint]") {
+    const auto closed = [](const Part& left, double right, double x) {
+        SceneBuilder scene;
+        const int body = scene.add_body("body", scene.mechanism.bodies[0].r + Vec3(x, 0.2, 0.0));
+        scene.add_joint("formula", 0, body, Vec3::Zero(), Vec3::UnitZ());
+        JointGeometry& g = scene.mechanism.joints[0].geometry;
+        g.P_i_local = g.P_j_local = Vec3::Zero();
+        g.formula = equation(left, right);
+        const System system(scene.mechanism, everything(scene.mechanism));
+        State state = start_state(scene.mechanism);
+        const PositionOutcome outcome = solve_position<OmegaLocal>(system, state, 0.0);
+        const double d_x = state.r[static_cast<std::size_t>(body)].x() - state.r[0].x();
+        return outcome.failure ? std::nullopt : std::optional(d_x);
+    };
+    // Newton's tolerance, 1e-10 of the slope at the solution
+    for (const double power_of_x : {-12.0, -6.0, 4.0, 50.0}) {
+        CAPTURE(power_of_x);
+        const auto x = closed(power(component(d, 0), power_of_x), 1.0, power_of_x < 0.0 ? 0.1 : 0.7);
+        REQUIRE(x.has_value());
+        CHECK(std::abs(*x - 1.0) < 1e-9);
+    }
+    CHECK_FALSE(closed(square_root(component(d, 0)), 0.3, -0.01).has_value());
 }
 
 }  // namespace jw::test::of_formula_joints

@@ -142,7 +142,8 @@ double residual_of(const Pose& pose) {
     assembler.assemble_phi_and_jacobian(pose.instant.state, pose.instant.t);
     double largest = 0.0;
     for (int row = 0; row < pose.instant.system->rows(); ++row) {
-        largest = std::max(largest, std::abs(assembler.phi()(row) / pose.instant.system->row_unit(row)));
+        const double size = std::abs(assembler.phi()(row) / pose.instant.system->row_unit(row));
+        largest = std::isnan(size) ? HUGE_VAL : std::max(largest, size);
     }
     return largest;
 }
