@@ -96,7 +96,7 @@ struct JetNumber {
 
 template <class C, Content K>
 JetNumber<C, K> result_of(const FormulaStep& step, const JetNumber<C, K>& a) {
-    return {applied(step, a.jet)};
+    return JetNumber<C, K>{applied(step, a.jet)};
 }
 
 }  // namespace formula_steps

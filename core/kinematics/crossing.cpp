@@ -147,7 +147,10 @@ bool MotionTracker::cross(double t) {
 }
 
 void MotionTracker::explain_end(double t) {
-    if (!failure_) { failure_ = PositionFailure{}; }  // quick steps alone were rejected
+    if (!failure_) {  // quick steps alone were rejected
+        failure_ = PositionFailure{};
+        failure_->t = frame_.t;
+    }
     const Root root = is_driven_ ? find_root() : Root{};
     if (root.kind == Root::Kind::simple_root) {
         const double sense = t > frame_.t ? 1.0 : -1.0;

@@ -75,10 +75,26 @@ bool gives_way(const System& system, const Fit& fit, double t) {
     return equations.phi().norm() < kClearlyLower * fit.phi.norm();
 }
 
+/// First row whose value or derivatives do not exist at `state`, if there is one.
+std::optional<int> row_without_value(const System& system, const State& state, double t) {
+    ScaledEquations equations(system, t);
+    equations.look(state);
+    const MatrixX jacobian = equations.jacobian();
+    for (Eigen::Index row = 0; row < jacobian.rows(); ++row) {
+        if (!std::isfinite(equations.raw()(row)) || !jacobian.row(row).allFinite()) {
+            return static_cast<int>(row);
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 PositionFailure diagnose(
     const System& system, const State& start, const State& reached, double t, int iterations) {
+    if (const auto row = row_without_value(system, start, t)) {
+        return {FailureCause::no_value, *row, 0.0, HUGE_VAL, 0.0, iterations, std::nullopt, t};
+    }
     const Fit fit = closest_fit_from(system, start, reached, t);
     PositionFailure failure;
     Eigen::Index row = 0;

@@ -15,6 +15,7 @@ enum class FailureCause {
     singular,       ///< the iteration ended at a pose where independent equations are lost
     turning_point,  ///< it is proved that the motion turns back at `t`: no pose of this branch lies beyond
     likely_turning_point,  ///< the same, not proved
+    no_value,              ///< a formula has no value, or no derivatives, at the start pose
     undecided,       ///< branches are so near to each other at `t` that rounding hides which one continues
     no_convergence,  ///< none of the above could be shown
 };
@@ -32,8 +33,9 @@ struct PositionFailure {
     std::optional<Contradiction> contradiction = std::nullopt;  ///< contradicting parts, if they were found
 };
 
-/// Diagnoses a Newton run from `start` that ended at `reached` without converging: whether that state, or the
-/// one that damped steps from `start` lead to, is a closest fit of parts that cannot meet.
+/// Diagnoses a Newton run from `start` that ended at `reached` without converging: whether an equation has
+/// no value at `start`, or `reached`, or the state that damped steps from `start` lead to, is a closest fit
+/// of parts that cannot meet.
 PositionFailure diagnose(
     const System& system, const State& start, const State& reached, double t, int iterations);
 

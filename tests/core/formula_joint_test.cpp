@@ -1,5 +1,5 @@
 #include <cmath>
-#include <optional>
+#include <tuple>
 
 #include <catch2/catch.hpp>
 
@@ -215,28 +215,50 @@ TEST_CASE(
     }
 }
 
+struct Closed {
+    PositionOutcome outcome;
+    double d_x = 0.0;
+};
+
+/// A free body with the one equation `left` = `right`, from d_x = `x` on.
+Closed closed_from(double x, const Part& left, double right) {
+    SceneBuilder scene;
+    const int body = scene.add_body("body", scene.mechanism.bodies[0].r + Vec3(x, 0.2, 0.0));
+    scene.add_joint("formula", 0, body, Vec3::Zero(), Vec3::UnitZ());
+    JointGeometry& g = scene.mechanism.joints[0].geometry;
+    g.P_i_local = g.P_j_local = Vec3::Zero();
+    g.formula = equation(left, right);
+    const System system(scene.mechanism, everything(scene.mechanism));
+    State state = start_state(scene.mechanism);
+    Closed out{solve_position<OmegaLocal>(system, state, 0.0)};
+    out.d_x = state.r[static_cast<std::size_t>(body)].x() - state.r[0].x();
+    return out;
+}
+
 TEST_CASE("A formula far steeper at the start is closed as exactly as others", "[core][formula_joint]") {
-    const auto closed = [](const Part& left, double right, double x) {
-        SceneBuilder scene;
-        const int body = scene.add_body("body", scene.mechanism.bodies[0].r + Vec3(x, 0.2, 0.0));
-        scene.add_joint("formula", 0, body, Vec3::Zero(), Vec3::UnitZ());
-        JointGeometry& g = scene.mechanism.joints[0].geometry;
-        g.P_i_local = g.P_j_local = Vec3::Zero();
-        g.formula = equation(left, right);
-        const System system(scene.mechanism, everything(scene.mechanism));
-        State state = start_state(scene.mechanism);
-        const PositionOutcome outcome = solve_position<OmegaLocal>(system, state, 0.0);
-        const double d_x = state.r[static_cast<std::size_t>(body)].x() - state.r[0].x();
-        return outcome.failure ? std::nullopt : std::optional(d_x);
-    };
     // Newton's tolerance, 1e-10 of the slope at the solution
     for (const double power_of_x : {-12.0, -6.0, 4.0, 50.0}) {
         CAPTURE(power_of_x);
-        const auto x = closed(power(component(d, 0), power_of_x), 1.0, power_of_x < 0.0 ? 0.1 : 0.7);
-        REQUIRE(x.has_value());
-        CHECK(std::abs(*x - 1.0) < 1e-9);
+        const Closed found =
+            closed_from(power_of_x < 0.0 ? 0.1 : 0.7, power(component(d, 0), power_of_x), 1.0);
+        REQUIRE(found.outcome.ok());
+        CHECK(std::abs(found.d_x - 1.0) < 1e-9);
     }
-    CHECK_FALSE(closed(square_root(component(d, 0)), 0.3, -0.01).has_value());
+}
+
+TEST_CASE("A formula without value or derivative at the start pose is named", "[core][formula_joint]") {
+    const Part x = component(d, 0);
+    for (const auto& [left, right, start] : std::vector<std::tuple<Part, double, double>>{
+             {square_root(x), 0.3, -0.01},
+             {square_root(x), 0.3, 0.0},  // a value, but no derivative
+             {number(1.0) / x, 2.0, 0.0}}) {
+        CAPTURE(left.text, start);
+        const Closed found = closed_from(start, left, right);
+        REQUIRE_FALSE(found.outcome.ok());
+        CHECK(found.outcome.failure->cause == FailureCause::no_value);
+        CHECK(found.outcome.failure->row == 0);
+    }
+    CHECK(closed_from(0.01, square_root(x), 0.3).outcome.ok());
 }
 
 }  // namespace jw::test::of_formula_joints

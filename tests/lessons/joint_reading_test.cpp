@@ -7,6 +7,7 @@
 #include "core/model/placement.hpp"
 #include "lessons/lesson/equation_labels.hpp"
 #include "tests/lessons/support.hpp"
+#include "tests/support/formula_value.hpp"
 #include "tests/support/vector_formulas.hpp"
 
 using namespace jw;
@@ -216,7 +217,9 @@ TEST_CASE("Vectors and matrices in the formula of a joint are multiplied as on p
     Mat3 A;
     A << vector(FormulaVector::A_i_x), vector(FormulaVector::A_i_y), vector(FormulaVector::A_i_z);
     const auto value_of = [&](const std::string& text) {
-        return joint_with("type = \"formula\"\nformula = '" + text + "'").geometry.formula.at(variables);
+        const Joint joint = joint_with("type = \"formula\"\nformula = '" + text + "'");
+        const std::vector<long double> numbers(variables.begin(), variables.end());
+        return static_cast<double>(test::formula_value(joint.geometry.formula.steps, numbers));
     };
     const auto near = [](double x) { return Approx(x).epsilon(1e-14).margin(1e-14); };
     CHECK(value_of("s_i^T (s_j \\times d)") == near(a.dot(b.cross(c))));

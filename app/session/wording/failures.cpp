@@ -220,7 +220,22 @@ std::string undecided_text(const PositionFailure& failure) {
         tr("Make the lengths differ by more, or use another driver."));
 }
 
+std::string no_value_text(const System& system, const PositionFailure& failure) {
+    return followed(
+        tr("{0} has no value, or no derivative, at the start pose at t = {1} s: its formula divides by 0 "
+           "there, or leaves the range of a function.",
+           row_label(system, failure.row), moment_of(failure)),
+        tr("Start at a pose where the formula has both."));
+}
+
 std::string no_convergence_text(const System& system, const PositionFailure& failure) {
+    if (failure.iterations == 0) {
+        return followed(
+            tr("The motion cannot be followed beyond t = {0} s: even the smallest step could not be proved.",
+               moment_of(failure)),
+            tr("An equation may change without limit here, or have no derivative: see its value and its row "
+               "of the Jacobian just before."));
+    }
     const std::string within = tr_count(failure.iterations, "{0} iteration", "{0} iterations");
     const std::string text =
         failure.residual >= kHolds
@@ -253,6 +268,7 @@ std::string failure_text(const System& system, const PositionFailure& failure) {
         case FailureCause::singular: return singular_text(system, failure);
         case FailureCause::turning_point: return turning_point_text(system, failure);
         case FailureCause::likely_turning_point: return likely_turning_point_text(failure);
+        case FailureCause::no_value: return no_value_text(system, failure);
         case FailureCause::undecided: return undecided_text(failure);
         case FailureCause::no_convergence: break;
     }
