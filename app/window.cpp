@@ -26,16 +26,16 @@ constexpr const char* kWithoutWindow =
 
 constexpr int kSmallestWidth = 640;
 constexpr int kSmallestHeight = 400;
-// between two copies of what is tried and not saved [s]
+// time between two copies of unsaved experiments [s]
 constexpr double kKeeping = 1.0;
-// between two looks at the open file [s]
+// longest time between two checks of the open file [s]
 constexpr double kLooking = 0.5;
-// before the next frame, after one that could not be drawn [s]
+// waiting time after a frame that could not be drawn [s]
 constexpr double kAfterFailure = 0.25;
 
 std::string last_glfw_error;
 
-/// GLFW from beginning to end, and one window with its context current.
+/// GLFW from initialisation to termination, and one window whose context is current.
 class GlfwWindow {
 public:
     GlfwWindow(int width, int height, bool visible) {
@@ -104,7 +104,7 @@ Key key_of(int glfw) {
     }
 }
 
-/// Letters with Ctrl, whatever the layout of the keyboard.
+/// Key of a letter for commands with Ctrl, in any layout of the keyboard.
 Key letter_of(int glfw, int scancode) {
     const char* const name = glfwGetKeyName(glfw, scancode);
     if (name == nullptr || name[1] != '\0') { return Key::none; }
@@ -191,7 +191,7 @@ std::string title_of(const Host& host) {
            " – Jointwise";
 }
 
-/// A screen may be larger than what the driver can draw into.
+/// Limits the size of the window: a screen may be larger than the largest picture of the driver.
 void limit_size(GLFWwindow* window, const render::GlFunctions& gl) {
     GLint most = 0;
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);

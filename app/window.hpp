@@ -10,25 +10,25 @@
 #include "app/host/host.hpp"
 #include "render/gl/gl_functions.hpp"
 
-/// The window: GLFW and nothing else.
+/// The window of the program, by GLFW.
 namespace jw {
 
 struct WindowSetup {
     host::HostSetup host;
     std::optional<std::filesystem::path> file;  ///< nothing: the browser
-    std::optional<host::Address> address;       ///< in place of the file, where to begin and what with
+    std::optional<host::Address> address;       ///< in place of the file: lesson, place, experiments, tab
     std::string at;
     std::vector<std::string> experiments;  ///< experiments to begin with
     std::string exercise;                  ///< to begin with; empty: none
-    std::ostream* log = nullptr;           ///< where faults of drawing are told; must be set
+    std::ostream* log = nullptr;           ///< for errors of drawing and notes; must be set
 };
 
-/// Shows in `host` what is asked for, but for the exercise.
+/// Shows in `host` the file or address that `setup` asks for, without the exercise.
 void show_first(host::Host& host, const WindowSetup& setup);
 
-/// Runs until the window is closed. What was tried and not saved then is in a file that the log names.
-/// @throws std::runtime_error with what to do where there is no display or no OpenGL 3.3, or where drawing
-///         fails again and again; with the name of that file, if there is one
+/// Runs until the window is closed. Unsaved experiments are then in a file that the log names.
+/// @throws std::runtime_error with a remedy if there is no display or no OpenGL 3.3, or if drawing fails
+///         again and again; with the name of that file, if there is one
 void run_window(const WindowSetup& setup);
 
 /// Makes a hidden window's context current and calls `use` with it.

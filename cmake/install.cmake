@@ -1,14 +1,14 @@
-# What `cmake --install` puts where, below any prefix: nothing installed knows the prefix, the sources or the build.
-# Component jointwise is the program, jointwise-dev what other programs are built with.
+# Files of `cmake --install`, below any prefix: no installed file depends on the path of prefix, sources or build.
+# Component jointwise is the program; component jointwise-dev is the library for other programs.
 include(GNUInstallDirs)
 
 # lessons/files/data_folder.cpp looks for ../share/jointwise from the folder of the program
 set(JW_INSTALL_DATA share/jointwise)
 
-# libraries of the tarball; in Debian's packages the folder is not there, and those of the system are taken
+# libraries of the tarball; Debian's packages do not have this folder, and use the libraries of the system
 set(JW_INSTALL_BUNDLED lib/jointwise)
 set_target_properties(jointwise PROPERTIES INSTALL_RPATH "$ORIGIN/../${JW_INSTALL_BUNDLED}")
-# jw_install_bundled(EXECUTABLES|MODULES target folder component): those that the target needs
+# jw_install_bundled(EXECUTABLES|MODULES target folder component): installs the ones that the target needs
 function(jw_install_bundled kind target folder component)
   install(CODE "
     file(GET_RUNTIME_DEPENDENCIES ${kind} $<TARGET_FILE:${target}> RESOLVED_DEPENDENCIES_VAR found
@@ -24,7 +24,7 @@ install(DIRECTORY ${JW_DATA_FOLDERS}
   DESTINATION ${JW_INSTALL_DATA}/lessons COMPONENT jointwise)
 install(FILES docs/lesson.schema.json DESTINATION ${JW_INSTALL_DATA} COMPONENT jointwise)
 
-# manual and completions, made of the help of the program
+# manual and completions, generated from the program's help
 set(help ${PROJECT_BINARY_DIR}/share/help)
 file(MAKE_DIRECTORY ${help})
 add_custom_command(
@@ -42,7 +42,7 @@ install(FILES ${help}/jointwise.bash DESTINATION share/bash-completion/completio
 install(FILES ${help}/jointwise.zsh DESTINATION share/zsh/vendor-completions RENAME _jointwise COMPONENT jointwise)
 install(FILES ${help}/jointwise.fish DESTINATION share/fish/vendor_completions.d COMPONENT jointwise)
 
-# what Debian's packages have beside their documentation, and who wrote what is linked in
+# changelog and copyright of Debian's packages, and the copyrights of libraries that are linked in
 execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/cmake/debian/changelog
   OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
 foreach(component jointwise jointwise-dev)
@@ -69,7 +69,7 @@ install(DIRECTORY docs DESTINATION share/doc/jointwise COMPONENT jointwise
 include(CMakePackageConfigHelpers)
 set(JW_INSTALL_CMAKE lib/cmake/jointwise)
 set(JW_LIBRARIES jointwise_core jointwise_lessons jointwise_render jointwise_film)
-# what has to be built before anything is installed
+# targets that have to be built before anything is installed
 add_custom_target(jw_installed DEPENDS jw_help_files jointwise ${JW_LIBRARIES})
 install(TARGETS ${JW_LIBRARIES} EXPORT jointwise-targets
   ARCHIVE DESTINATION lib COMPONENT jointwise-dev)
@@ -78,7 +78,7 @@ install(DIRECTORY library/jointwise ${PROJECT_BINARY_DIR}/include/jointwise DEST
   COMPONENT jointwise-dev FILES_MATCHING PATTERN "*.hpp")
 configure_package_config_file(cmake/jointwise-config.cmake.in ${PROJECT_BINARY_DIR}/jointwise-config.cmake
   INSTALL_DESTINATION ${JW_INSTALL_CMAKE} PATH_VARS JW_INSTALL_DATA)
-# until version 1 another minor version is another interface
+# before version 1, each minor version is a different interface
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/jointwise-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/jointwise-config.cmake ${PROJECT_BINARY_DIR}/jointwise-config-version.cmake
   DESTINATION ${JW_INSTALL_CMAKE} COMPONENT jointwise-dev)

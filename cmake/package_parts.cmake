@@ -1,5 +1,5 @@
-# Read by cpack for each kind of package. Debian's packages bring the libraries that they need; the tarball has those with
-# it that other systems have in other versions.
+# Read by cpack for each kind of package. Debian's packages depend on the libraries that they need; the tarball contains
+# the libraries that other systems have in other versions.
 if(CPACK_GENERATOR STREQUAL "DEB")
   set(CPACK_COMPONENTS_ALL jointwise jointwise-dev)
 else()

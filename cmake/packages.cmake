@@ -1,4 +1,4 @@
-# Debian's packages as targets; cmake/packages.txt lists what they are called there.
+# Debian's packages as targets; cmake/packages.txt lists their names in Debian.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 
@@ -30,14 +30,14 @@ target_link_libraries(ImGui::ImGui INTERFACE ${IMGUI_LIBRARY} PkgConfig::stb Pkg
 
 find_package(Catch2 2.13 REQUIRED)
 
-# the package's own targets ask for those of other test frameworks, which need not be there
+# the package's own targets require those of other test frameworks, which may not be installed
 find_library(RAPIDCHECK_LIBRARY rapidcheck REQUIRED)
 add_library(RapidCheck::RapidCheck UNKNOWN IMPORTED)
 set_target_properties(RapidCheck::RapidCheck PROPERTIES IMPORTED_LOCATION ${RAPIDCHECK_LIBRARY})
 # tests only: what the program computes does not depend on which LAPACK a machine has
 pkg_check_modules(lapacke REQUIRED IMPORTED_TARGET lapacke)
 
-# the Python of the system, whatever other is first in the path: its headers, pybind11 and numpy are Debian's
+# the Python of the system, even if another one is first in PATH: its headers, pybind11 and numpy are Debian's
 if(NOT JW_SANITIZE)
   find_program(JW_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
   set(Python_EXECUTABLE ${JW_PYTHON})

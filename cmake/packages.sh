@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Packages of what was built, in place of earlier ones, beside wheels: packages.sh CPACK BUILD FOLDER [GENERATOR].
+# Makes packages of a build, which replace earlier ones but no wheels: packages.sh CPACK BUILD FOLDER [GENERATOR].
 set -euo pipefail
 
 cpack=$1 build=$2 folder=$3

@@ -10,7 +10,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/package_parts.cmake)
 
-# a synopsis, and lines of a description
+# first line: synopsis; other lines: description
 set(CPACK_COMPONENT_JOINTWISE_DESCRIPTION "spatial kinematics of mechanisms, joint by joint
 Assembles a mechanism of rigid bodies joint by joint and shows at every step
 its constraint equations, the Jacobian and its rank, every iteration of
@@ -41,7 +41,7 @@ set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_NAME jointwise-dev)
 set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_DEPENDS
   "jointwise (= ${PROJECT_VERSION}), libeigen3-dev, libtomlplusplus-dev, libfmt-dev, libdeflate-dev, libgif-dev")
-# a program with films links what draws their panels
+# a program that makes films links the libraries that draw their panels
 set(CPACK_DEBIAN_JOINTWISE-DEV_PACKAGE_RECOMMENDS
   "cmake, libimgui-dev, libstb-dev, libfreetype-dev, libcairo2-dev, libmd-dev")
 include(CPack)

@@ -1,4 +1,4 @@
-# FOLDER/TAG.mo as an array of bytes in FOLDER/TAG.hpp: kZhHant for zh-Hant.
+# Writes FOLDER/TAG.mo as an array of bytes into FOLDER/TAG.hpp; the array for zh-Hant is kZhHant.
 file(READ ${FOLDER}/${TAG}.mo bytes HEX)
 string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
 string(REPEAT "." 100 line)

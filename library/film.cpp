@@ -66,7 +66,7 @@ jw::StoryOptions moments_of(const jw::Lesson& lesson, double fps) {
     return how;
 }
 
-/// All threads share one context of ImGui for the panels.
+/// Mutex of the context of ImGui for the panels, which all threads share.
 std::mutex& one_at_a_time() {
     static std::mutex mutex;
     return mutex;

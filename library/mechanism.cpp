@@ -121,7 +121,7 @@ Mechanism::Mechanism(const Inside& inside) : inside_(std::make_shared<Inside>(in
     inside_->loads.masses.resize(inside_->mechanism.bodies.size());
 }
 
-/// The data, for a change, after they were separated from those of other mechanisms.
+/// The data for a change; data that other mechanisms share are copied first.
 Mechanism::Inside& Mechanism::own() {
     if (inside_.use_count() > 1) { inside_ = std::make_shared<Inside>(*inside_); }
     // another thread may have read the copy that was given up last: that reading must come first

@@ -23,7 +23,7 @@ jw::Method method_named(const std::string& name) {
     throw std::invalid_argument("jointwise: there is no method '" + name + "'; expected one of " + names);
 }
 
-/// Why a simulation ended, in the order of SimulationFailure::Cause.
+/// Reasons why a simulation ended, in the order of SimulationFailure::Cause.
 constexpr std::array kCauses{
     "redundant equations contradict the others",
     "no state satisfies the equations",

@@ -181,7 +181,7 @@ private:
     std::optional<Submission> read_;
 };
 
-/// Seconds for reading a submission; for an exercise they follow from its kind.
+/// Allowed time [s] for a part: reading the submission, or an exercise, whose kind gives its time.
 double seconds_for(const ReadyCourse& course, int part) {
     constexpr double kReading = 60.0;
     return part == 0 ? kReading
@@ -214,7 +214,7 @@ std::vector<Grade> grade_all(
     work.ended = [&](int piece, const std::vector<WorkDone>& done) {
         const std::size_t k = places[static_cast<std::size_t>(piece)];
         grades[k] = open[static_cast<std::size_t>(piece)].collected(done);
-        // what failed because time ran out may succeed in the next run
+        // a part that failed because time ran out may succeed in the next run
         const bool complete = std::ranges::all_of(done, &std::string::empty, &WorkDone::problem);
         if (complete) { kept.keep(submissions[k], digests[k], grades[k]); }
         progress.show(static_cast<double>(++finished) / static_cast<double>(work.pieces));
@@ -234,7 +234,7 @@ void warn_of_twins(const std::vector<Grade>& grades, const Streams& streams) {
     }
 }
 
-/// Programs that were not judged change the exit status, not only the points.
+/// Exit status: programs that were not judged change it, not only the points.
 Exit exit_of(const std::vector<Grade>& grades, const Streams& streams) {
     const ProgramsNotRun programs = programs_not_run(grades);
     if (programs.count == 0) { return Exit::done; }

@@ -38,8 +38,8 @@ NewtonPlan plan_of(const NewtonChoices& options, const Lesson& lesson) {
     return plan;
 }
 
-/// The step at which closing the joint or driver `at` begins. Without a name, the closing that shows most:
-/// one with a wrong branch, or with the most iterations.
+/// The step at which closing the joint or driver `at` begins. Without a name, the closing that shows most
+/// about Newton's method: one with a wrong branch, or with the most iterations.
 int start_of(const Story& story, const std::string& at) {
     const Lesson& lesson = story.lesson();
     std::vector<std::string> names;

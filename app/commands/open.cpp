@@ -72,7 +72,7 @@ void draw_window(const WindowSetup& setup, const std::string& path) {
     render::write_file_atomically(path, render::encode_png(screen.read()));
 }
 
-/// True for an address, or a page with one; files do not have such names.
+/// True for an address, or the URL of a page with an address; files do not have such names.
 bool is_address(const std::string& text) {
     std::error_code error;
     return (text.starts_with('#') || text.find("://") != std::string::npos) &&

@@ -83,7 +83,7 @@ std::vector<int> chosen(const SeriesSet& set, const std::vector<std::string>& cu
     return shown;
 }
 
-/// The curves by their present names. Quantities may also be such that are plotted only on request.
+/// The chosen curves by their present names; quantities that are plotted only on request are added to `set`.
 std::vector<std::string> found_curves(
     const PlotOptions& options, const Story& story, SeriesSet& set, const Streams& streams) {
     if (plotted(options) != Plotted::quantities) { return options.curves; }

@@ -146,7 +146,7 @@ private:
         } else {
             draft.begin(run());
         }
-        // the next --resume finds what an interrupted one has drawn
+        // the next --resume finds the pictures that an interrupted run has drawn
         if (options_.resume) { draft.leave(); }
         draw_shard(draft);
         if (!is_shard) { return true; }

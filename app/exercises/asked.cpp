@@ -32,10 +32,10 @@ public:
     AskedFormula(const FormulaPlan& plan, const FormulaClaim& claim, const Instant& instant)
         : plan_(plan), meanings_(formula::meanings_of(claim.formula.subject, instant)) {}
 
-    /// The quantity that is asked for, and how it is found: the first and the last side.
+    /// Values of the first side, which is asked for, and of the last side, from which it is found.
     MatrixX asked() const { return value(plan_.asked, plan_.where); }
     MatrixX found() const { return value(plan_.found, plan_.where); }
-    /// Empty where the expression has no value.
+    /// Value of an expression; empty if it has none.
     MatrixX value_or_empty(const Row& expression) const { return value_or_empty(expression, plan_.where); }
 
     /// Answers of all mistakes in the last side, and in the definitions.
@@ -74,7 +74,7 @@ private:
     formula::Meanings meanings_;
 };
 
-/// True if two ways lead to the same value, up to rounding.
+/// True if two values are equal up to rounding.
 bool agree(const MatrixX& a, const MatrixX& b) {
     if (a.rows() != b.rows() || a.cols() != b.cols()) { return false; }
     // symbols are of the size of 1 to 1000; a pose is assembled to 1e-12
@@ -87,7 +87,7 @@ MatrixX with_position(const Vec3& r, const MatrixX& p) {
     return pose;
 }
 
-/// A pose asks for r in addition to p.
+/// Adds r to the answer: a pose asks for r and p.
 void ask_for_pose(const AskedFormula& f, Asked& asked) {
     const MatrixX r = f.value_or_empty(math::own_math("r"));
     if (r.size() != 3 || asked.right.size() != 4) {
@@ -217,7 +217,7 @@ void ask_quantity(const Variant& variant, const QuantityClaim& claim, const Pose
     }
 }
 
-/// Keeps the mistakes that the exercise looks for, and whose answers can be compared.
+/// Keeps the mistakes that the exercise looks for, and mistakes in two terms.
 void filter_mistakes(const Exercise& exercise, Asked& asked) {
     const auto is_unwanted = [&](const KnownMistake& mistake) {
         return mistake.name != kTwoTermsName && !looks_for(exercise, mistake.name);

@@ -42,7 +42,7 @@ struct Asked {
     std::string problem;                 ///< why there is no right answer; empty if there is one
 };
 
-/// The answer to a number, vector, matrix or pose, or to a choice among formulas or components.
+/// Answer to an exercise that asks for a number, vector, matrix, pose, or choice of a formula or component.
 Asked asked_in(const Variant& variant);
 
 /// Answers of two mistakes at once in the terms of a formula. There are many of them: they do not count as

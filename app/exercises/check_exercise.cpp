@@ -67,7 +67,7 @@ void measure(const Task& task, ExerciseCheck& check) {
     check.most_condition = std::max(check.most_condition, task.asked.condition);
 }
 
-/// How similar the variants are.
+/// Text that tells how similar the variants are.
 std::string alike_text(const ExerciseCheck& check) {
     std::string text = std::to_string(check.draws) + (check.draws == 1 ? " draw" : " draws");
     if (check.most_nonzero > 0) {
@@ -81,7 +81,7 @@ std::string alike_text(const ExerciseCheck& check) {
     return text;
 }
 
-/// Checks students of one question, without the alternatives of `exercise`.
+/// Checks the variants of one exercise, without its alternatives.
 void check_variants(const Exercise& exercise, int variants, ExerciseCheck& check) {
     const TaskMaker maker(exercise);
     const KindOfExercise& kind = kind_of(exercise.kind);

@@ -7,7 +7,7 @@ namespace jw {
 
 namespace {
 
-/// For a formula at random states, a figure would show none of these states.
+/// False without a scene, for an order, and for a formula at random states, which a figure cannot show.
 bool has_figure(const Exercise& exercise) {
     return !exercise.scene.empty() && exercise.kind != ExerciseKind::code &&
            exercise.kind != ExerciseKind::order;

@@ -108,7 +108,7 @@ std::string accuracy_text(const Task& task) {
         const std::string off = number_text(asked.tolerance, 3) + unit;
         return several ? tr("Each number may be off by {0}.", off) : tr("It may be off by {0}.", off);
     }
-    // not the tolerance itself, which is a fraction of the answer
+    // the tolerance itself is a fraction of the answer, and would tell it
     const int digits = digits_for(task.exercise().tolerance);
     const auto k = static_cast<std::size_t>(digits);
     const std::string count = k < kWords.size() ? tr(kWords[k]) : std::to_string(digits);

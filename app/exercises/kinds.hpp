@@ -12,7 +12,7 @@ namespace jw {
 /// What a student hands in, as text.
 struct Handed {
     std::string text;  ///< numbers; the output of a program; a lesson file; for experiments, the lesson that
-                       ///< they led to, or empty: they are carried out
+                       ///< they led to (if it is empty, they are carried out)
     std::vector<std::string> list;  ///< experiments
 };
 
@@ -48,20 +48,20 @@ bool is_measured(ExerciseKind kind);
 /// True if claims of a scene tell whether the answer is right.
 bool is_judged_by_claims(ExerciseKind kind);
 
-/// The judgement of an answer that cannot be judged.
+/// The judgement of an answer that was not understood.
 Judged not_understood(std::string why);
 
 /// How exact an answer in numbers has to be, as a sentence that does not tell the answer: "Four significant
-/// digits in each number are enough.", "It may be off by 0.01 m."; empty if it must be exact or is no number.
+/// digits in each number are enough.", "It may be off by 0.01 m."; empty if it is exact or not a number.
 std::string accuracy_text(const Task& task);
 
 /// Numbers as a student would write them: "[1, 2, 3]".
 std::string written(const MatrixX& value, int digits = 9);
 
-/// A row becomes a column where one is expected, and the reverse; not for matrices.
+/// `given` with a row as a column where a column is expected, and the reverse; matrices stay as they are.
 MatrixX in_shape_of(const MatrixX& right, const MatrixX& given);
 
-/// An entry for people: "2" in a column, "(2, 1)" in any other matrix.
+/// Name of an entry: "2" in a column, "(2, 1)" in any other matrix.
 std::string name_of_entry(const MatrixX& value, Eigen::Index row, Eigen::Index column);
 
 // the parts of the table

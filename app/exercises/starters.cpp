@@ -147,7 +147,7 @@ std::string javascript_starter(const Task& task) {
            "console.log(JSON.stringify({ answers: data.cases.map(answer) }));\n";
 }
 
-/// In C++, with its own small JSON reader, since C++ has none.
+/// The starter in C++, with its own small JSON reader, since C++ has none.
 std::string cpp_starter(const Task& task) {
     return kBeforeInputs + lines_for(task, "    [[maybe_unused]] const Matrix& ", " = c.at(\"", "\");") +
            kAfterInputs;

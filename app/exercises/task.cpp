@@ -136,7 +136,7 @@ void show_items(Task& task, Random& random) {
         {tr_later("This is the right order, but reversed."), {}}, numbers_in_order(task, order));
 }
 
-/// A name in the list of mistakes to look for that is not the name of any; empty if all are known.
+/// Message about the first unknown name in the list of mistakes to look for; empty if all are known.
 std::string unknown_mistake(const Exercise& exercise) {
     const std::vector<std::string> names = mistake_names();
     for (const std::string& name : exercise.only) {
@@ -148,7 +148,7 @@ std::string unknown_mistake(const Exercise& exercise) {
     return {};
 }
 
-/// Makes what a student sees besides the question.
+/// Makes the choices or items that a student sees in addition to the question.
 void show(Task& task) {
     Random random(task.variant.seed ^ 0x5DEECE66DULL);
     const Exercise& exercise = task.exercise();
@@ -190,7 +190,7 @@ bool TaskMaker::learn() {
     return false;
 }
 
-/// @return true while more of them are needed
+/// Draws one sample. @return true while more samples are needed
 bool TaskMaker::draw_sample() {
     const VariantDraw draw =
         drawn_variant(*exercise_, seed_of("sample", std::to_string(samples_drawn_), exercise_->name), plan_);

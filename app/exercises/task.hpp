@@ -24,7 +24,7 @@ struct Task {
     const Exercise& exercise() const { return *variant.exercise; }
 };
 
-/// Makes the tasks of one exercise. `exercise` must outlive it and its tasks.
+/// Makes the tasks of one exercise. `exercise` must outlive this and its tasks.
 class TaskMaker {
 public:
     explicit TaskMaker(const Exercise& exercise);
@@ -35,7 +35,7 @@ public:
 
     /// Task of a seed, always the same: from the exercise or from one of its alternatives.
     Task make(std::uint64_t seed) const;
-    /// Why no task can be made; empty otherwise.
+    /// Reason why no task can be made; empty otherwise.
     const std::string& problem() const { return problem_; }
 
 private:
@@ -60,10 +60,10 @@ private:
     std::vector<TaskMaker> alternatives_;
 };
 
-/// A task in the making: variants are drawn until one can be used.
+/// A task that is being made: variants are drawn until one can be used.
 class TaskDraft {
 public:
-    /// `maker` must outlive it, and have learned.
+    /// `maker` must outlive this, and its `learn` must have finished.
     TaskDraft(const TaskMaker& maker, std::uint64_t seed);
     /// Draws one variant. @return true while there is more to do
     bool draw();

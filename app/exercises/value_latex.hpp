@@ -11,7 +11,7 @@ namespace jw {
 std::string number_latex(double value);
 /// A value as a formula, in decimals: a number, or a matrix in brackets.
 std::string value_latex(const MatrixX& value);
-/// A given symbol: "\mathbf{s}_i = [...]". Drawn values are rational: if decimals would not end, a common
+/// A given symbol: "\mathbf{s}_i = [...]". Drawn values are rational: if their decimals do not end, a common
 /// denominator stands before the matrix, "\frac{1}{7} [-2, -4, 2, -5]".
 std::string given_latex(const GivenSymbol& symbol);
 

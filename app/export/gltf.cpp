@@ -75,7 +75,7 @@ void add_bounds(const std::vector<T>& values, Json& accessor) {
     }
 }
 
-/// Linear value of a colour component, which materials need. @source IEC 61966-2-1
+/// Linear value of an sRGB component: materials need linear colours. @source IEC 61966-2-1
 float linear(float srgb) {
     return srgb <= 0.04045F ? srgb / 12.92F
                             : static_cast<float>(elementary::pow((srgb + 0.055F) / 1.055F, 2.4));
@@ -89,7 +89,7 @@ Json material_of(const std::array<float, 4>& colour) {
           {"roughnessFactor", 0.55}}}};
 }
 
-/// Materials, each once.
+/// List of materials without duplicates.
 class Materials {
 public:
     int index_of(const std::array<float, 4>& colour) {
@@ -125,7 +125,7 @@ Json node_of(const Node& node) {
     return json;
 }
 
-/// Rotations with signs that agree: q and −q are the same rotation, but not for interpolation.
+/// Rotations with consistent signs: q and −q are the same rotation, but they interpolate differently.
 std::vector<std::array<float, 4>> rotations_of(const std::vector<Pose>& motion) {
     std::vector<std::array<float, 4>> rotations;
     for (const Pose& pose : motion) {

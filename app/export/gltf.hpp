@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// Scenes for other programs: binary glTF 2.0 (.glb), which browsers, Blender, slides and viewers read.
+/// Scenes for other programs: binary glTF 2.0 (.glb), for browsers, Blender, slide programs and viewers.
 namespace jw::gltf {
 
 /// Triangles of one colour.

@@ -125,7 +125,7 @@ public:
         return place;
     }
 
-    /// The bodies that shape `k` may be fixed in: its own; else all bodies, first those of its joint.
+    /// Bodies that shape `k` may be fixed in: its own body, or else all bodies, those of its joint first.
     std::vector<int> candidates(std::size_t k) const {
         const Pointable link = pointable_of(first(k).id);
         if (link.kind == Pointable::Kind::body) { return {link.index}; }

@@ -37,7 +37,7 @@ struct FilmSettings {
 /// File of captions beside a film: "film.vtt" beside "film.mp4".
 std::filesystem::path captions_file(const std::filesystem::path& film);
 
-/// Writes the film, complete or not at all; if ffmpeg makes it, also a file of captions beside it.
+/// Writes the film completely or not at all; if ffmpeg makes it, also a file of captions beside it.
 /// @param pictures  their numbers in `draft` are their indices here
 /// @param progress  called with the fraction that is done
 /// @throws std::runtime_error if it cannot be written, or with the message of ffmpeg

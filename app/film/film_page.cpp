@@ -15,7 +15,7 @@ namespace jw::film {
 
 namespace {
 
-// most parts that are drawn after a jump into the motion: it takes a fraction of a second
+// a jump into the motion draws at most this many parts, which takes a fraction of a second
 constexpr std::size_t kMostBetween = 24;
 
 /// Pictures as parts: a whole one at intervals, and between them only the area that has changed.

@@ -10,7 +10,7 @@ namespace jw::film {
 
 namespace {
 
-// time of a step in which bodies move; the rest is for reading
+// part of the time of a step in which bodies move; the rest is for reading
 constexpr double kLongestWay = 0.8;   // s
 constexpr double kMostOfAStep = 0.5;  // of its time
 // a smaller move is not visible: about a pixel of the picture

@@ -46,7 +46,7 @@ std::string problem_of_look(
 /// Problem with the format: it has no transparency or repetition, or ffmpeg is missing; empty if there is
 /// none.
 std::string problem_of_format(const FilmSettings& settings, const OptionNames& names = {});
-/// True for a vector that can be the direction of the eye: shorter than 1e-100, it has lost its digits.
+/// True for a vector that can be the direction of the eye; one shorter than 1e-100 has lost its digits.
 bool is_direction(const Vec3& v);
 
 }  // namespace jw::film

@@ -129,7 +129,7 @@ void run_parts(
 
 void end_with_parent() {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    // the parent may have ended before
+    // the parent may have ended before this call
     if (::getppid() == 1) { ::_exit(1); }
 }
 

@@ -10,9 +10,9 @@ namespace jw::host {
 
 namespace {
 
-// if GL errors remain after new objects were created this often, the picture is shown as it is
+// if GL errors remain after all objects were created again this many times, the picture is shown as it is
 constexpr int kMostComplaints = 2;
-// each message is one line of the log
+// largest number of messages in the log, one line each
 constexpr std::size_t kMostTold = 50;
 
 std::string words_of(const std::exception& error) {
@@ -33,7 +33,7 @@ void GuardedScreen::make_screen() {
     host_->set_picker([this](float x, float y) { return pick(x, y); });
 }
 
-/// Called while the host lays out a frame: an exception would leave the layout half done.
+/// Screen::pick without exceptions, which would leave the host's layout of the frame half done.
 int GuardedScreen::pick(float x, float y) {
     if (!screen_ || !pick_failure_.empty()) { return 0; }
     try {

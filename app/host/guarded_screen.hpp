@@ -15,9 +15,9 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A `Screen` in a window. A failure while it draws costs one frame: it is shown at the foot of the picture
-/// and written to a log, once for each text. All objects on the graphics card are then created again; the
-/// lesson and all experiments with it are kept.
+/// A `Screen` in a window. A failure during drawing costs one frame. Its message is shown at the foot of the
+/// picture, and written to a log, once for each text. Then all objects on the graphics card are created
+/// again; the lesson and all experiments with it are kept.
 class GuardedScreen {
 public:
     /// Makes a screen as Screen does; `log` must outlive this object.
@@ -28,9 +28,9 @@ public:
 
     /// Draws as Screen::draw does.
     /// @return whether there is a picture to `show`
-    /// @throws GraphicsLost after kMostFailures failures without a faultless picture between them
+    /// @throws GraphicsLost after kMostFailures failures without an error-free picture between them
     bool draw();
-    /// Shows the picture as Screen::show does; only after a `draw` that returned true.
+    /// Shows the picture as Screen::show does; call it only after a `draw` that returned true.
     void show();
 
     static constexpr int kMostFailures = 20;
@@ -45,7 +45,7 @@ private:
     Host* host_;
     std::ostream* log_;
     std::unique_ptr<Screen> screen_;
-    std::string pick_failure_;  ///< while the frame was laid out; `draw` reports it
+    std::string pick_failure_;  ///< message of a failure during the layout; `draw` reports it
     std::set<std::string> told_;
     int failures_ = 0;
 };

@@ -22,14 +22,14 @@ namespace {
 // a window manager may ask for a smaller window: then the picture is cut off
 constexpr int kSmallestWidth = 320;
 constexpr int kSmallestHeight = 200;
-// time between two looks at a measurement [s]: short enough to watch it, and cheap
+// time between two checks of a measurement [s]: short enough to follow its progress, and cheap
 constexpr double kMeasuring = 0.25;
 // time between two frames while a story is computed [s]: without threads, drawing delays the computation
 constexpr double kTelling = 0.2;
-// time between two looks at an exercise in preparation [s]: too short to be noticed
+// time between two checks of an exercise in preparation [s]: too short to be noticed
 constexpr double kDrawingNumbers = 0.05;
 
-/// How far a key scrolls the list of keys, in parts of its visible height; 0: not at all.
+/// Distance that a key scrolls the list of keys, in parts of its visible height; 0: none.
 float way_of(Key key) {
     switch (key) {
         case Key::down: return 0.2F;

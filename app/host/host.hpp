@@ -37,7 +37,7 @@ struct HostSetup {
     ProgramJudge judge_program;            ///< of exercises that ask for programs; empty: none is run
     std::filesystem::path programs;        ///< folder for starter programs; empty: beside `progress`
     bool has_disk = true;                  ///< other programs can see the files that are written
-    std::vector<Command> not_offered;      ///< of no use here, or their key never arrives
+    std::vector<Command> not_offered;      ///< commands of no use here, or whose key never arrives
     Tab tab = Tab::step;                   ///< shown first beside the picture
     bool dark = false;
     float text_scale = 1.0F;
@@ -69,12 +69,12 @@ public:
     Address address() const;
     /// Shows the state that an address describes. If another lesson is open, opens the lesson of the address
     /// with a new history; else starts from the open lesson as it was written, and counts as one change.
-    /// @return false if a part of the address cannot be done: the reason is shown, and nothing changes. True
+    /// @return false if a part of the address is impossible: the reason is shown, and nothing changes. True
     ///         also if this is not known yet, because the story is still being computed (`is_telling`)
     bool go_to(const Address& address);
 
-    /// A long story is being computed (host_waiting.cpp). Meanwhile the previous state is shown, and the only
-    /// possible action is to cancel, by Escape or a button.
+    /// True while a long story is computed (host_waiting.cpp). Meanwhile the previous state is shown, and the
+    /// only possible action is to cancel, by Escape or a button.
     bool is_telling() const { return telling_.is_busy(); }
     /// Fraction of the story that has been computed, from 0 to 1.
     double told_part() const { return is_telling() ? telling_.progress() : 1.0; }
@@ -99,8 +99,8 @@ public:
     void resize(int width, int height, float density = 0.0F);
 
     void push(const InputEvent& event) { events_.push(event); }
-    /// Sets the function that finds the object drawn at a pixel; whoever draws has it. Without it, objects in
-    /// 3D cannot be pointed at.
+    /// Sets the function that finds the object drawn at a pixel; the code that draws provides it. Without it,
+    /// objects in 3D cannot be pointed at.
     void set_picker(Picker picker) { hand_.set_picker(std::move(picker)); }
 
     /// One frame: events, interface, requests and animations.
@@ -121,7 +121,7 @@ public:
     const std::filesystem::path& unsaved_copy() const { return unsaved_.path(); }
 
     bool wants_to_close() const { return close_; }
-    /// The picture changes from frame to frame: it is turned, pulled or played.
+    /// True while the picture changes from frame to frame: it is turned, pulled or played.
     bool is_moving() const { return shows_lesson() && (hand_.is_busy() || state_.playback.is_moving()); }
     /// True if a lesson is shown, and not the browser.
     bool shows_lesson() const { return session_ && !state_.browser; }
@@ -138,7 +138,7 @@ public:
     LessonList& shelf() { return shelf_; }
     const ScaledFonts& fonts() const { return fonts_; }
 
-    /// Task set by a command. Whoever draws carries it out, and reports it with done().
+    /// Task set by a command. The code that draws carries it out, and reports it with done().
     DrawingTask task() const { return task_; }
     /// Path of the next file of the task: "four-bar-step-12.png"; of a folder for `record`.
     std::filesystem::path task_path() const;
@@ -223,7 +223,7 @@ private:
     Predictions predictions_;
     ExerciseDesk desk_;
     BackgroundStories telling_;
-    std::deque<std::function<void()>> waiting_;  ///< the first for its story, the others for their turn
+    std::deque<std::function<void()>> waiting_;  ///< the first waits for its story, the others for their turn
     std::optional<Experiment> pulled_;           ///< last value of a slider moved while a story was computed
     std::string wanted_exercise_;                ///< named by an address, until it begins; usually empty
     bool shown_figure_ = false;                  ///< in the previous frame
@@ -238,7 +238,7 @@ private:
 };
 
 /// State of the interface as JSON: title, step, tab, experiments, camera, and a description for people who
-/// do not see the picture.
+/// cannot see the picture.
 std::string state_text(const Host& host);
 
 }  // namespace jw::host

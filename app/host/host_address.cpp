@@ -60,7 +60,7 @@ void Host::arrive_at(const Address& address) {
     if (!state_.browser) { show_or_leave_browser(); }
 }
 
-/// Everything that can fail comes before the first change, so that a failure changes nothing.
+/// Goes to an address in a lesson. Steps that can fail come first, so that a failure changes nothing.
 void Host::arrive_in_lesson(const Address& address) {
     const Tab tab = address.exercise.empty() ? tab_of(address) : Tab::exercises;
     const std::filesystem::path path = shelf_.lesson_called(address.lesson);

@@ -262,7 +262,7 @@ void Host::use_next_language() {
         try {
             if (session_) { session_->tell_again(); }
         } catch (...) {
-            // until the story has been computed, or for good if that failed
+            // the language stays until the story has been computed, or for good if that failed
             set_language(before);
             throw;
         }

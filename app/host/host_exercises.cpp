@@ -109,7 +109,7 @@ void Host::carry_out_exercise(Command command) {
     }
 }
 
-/// Title and caption of an exercise's figure, which is not a step of a story.
+/// Draws title and caption of an exercise's figure, which is not a step of a story.
 void Host::draw_figure(const Ui& ui) {
     View view;
     view.lesson_title = session_->lesson().title;

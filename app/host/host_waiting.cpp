@@ -17,8 +17,8 @@ Storyteller Host::storyteller() {
     };
 }
 
-/// Does `act`, which may need stories, after all actions that already wait. If it throws NotToldYet, it is
-/// done again later: it must have changed nothing, or know how far it came.
+/// Carries out `act`, which may need stories, after all actions that already wait. If `act` throws
+/// NotToldYet, it is called again later: it must have changed nothing, or remember how far it came.
 void Host::attempt(std::function<void()> act) {
     waiting_.push_back(std::move(act));
     if (waiting_.size() == 1) { go_on_waiting(); }
@@ -64,7 +64,7 @@ bool Host::act_while_telling(const InputEvent& event) {
     return true;
 }
 
-/// Remembers the value of a slider that is still held, to apply it when the story is there.
+/// Remembers the value of a slider that is still held, to apply it when the story has been computed.
 void Host::pull_while_telling(const Experiment& experiment) {
     const bool is_slider =
         std::holds_alternative<SetGeometry>(experiment) || std::holds_alternative<SetDriver>(experiment);

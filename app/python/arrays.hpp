@@ -58,16 +58,16 @@ inline Numbers copied_list(const std::vector<double>& v) {
 
 enum class Access { read, write };
 
-/// A view of the numbers of `owner`; the array keeps it alive. Strides count numbers, not bytes.
+/// A view of the numbers of `owner`, which the array keeps alive. Strides count numbers, not bytes.
 py::array view_of(
     const double* data, const std::vector<py::ssize_t>& shape, const std::vector<py::ssize_t>& strides,
     const py::handle& owner, Access access);
 
 py::array view_of(const Eigen::VectorXd& v, const py::handle& owner);
-py::array view_of(const Eigen::MatrixXd& m, const py::handle& owner);  ///< columns lie together
-py::array view_of(const Table& m, const py::handle& owner);            ///< rows lie together
+py::array view_of(const Eigen::MatrixXd& m, const py::handle& owner);  ///< column-major
+py::array view_of(const Table& m, const py::handle& owner);            ///< row-major
 
-/// Vectors of N numbers as an array with rows of N, which can be written.
+/// Vectors of N numbers as a writable array with rows of N.
 template <int N>
 py::array view_of(std::vector<Eigen::Matrix<double, N, 1>>& rows, const py::handle& owner) {
     const double* data = rows.empty() ? nullptr : rows.front().data();
@@ -75,7 +75,7 @@ py::array view_of(std::vector<Eigen::Matrix<double, N, 1>>& rows, const py::hand
 }
 py::array view_of(std::vector<double>& numbers, const py::handle& owner);
 
-/// Puts other numbers into rows that views may show: there must be as many numbers.
+/// Copies `from` into `to`, which views may show. @throws py::value_error if their sizes differ
 template <class T>
 void assign(std::vector<T>& to, std::vector<T> from, const char* what) {
     if (to.size() != from.size()) {

@@ -28,9 +28,9 @@ auto in_parallel(F&& f) {
     return std::forward<F>(f)();
 }
 
-/// Calls `f` like `in_parallel`, with a function that it must call now and then: this returns false if a
-/// signal asks Python to stop, like Ctrl-C or the interruption of a notebook. An exception of the signal's
-/// handler then takes precedence over the NotReached with which `f` ends.
+/// Calls `f` like `in_parallel`, with a callback that `f` must call regularly. The callback returns false if
+/// a signal asks Python to stop, such as Ctrl-C or the interruption of a notebook. An exception of the
+/// signal's handler then takes precedence over the NotReached with which `f` ends.
 template <class F>
 auto until_interrupted(F&& f) {
     bool interrupted = false;

@@ -35,7 +35,7 @@ void add_errors(py::module_& module) {
 
     py::register_exception<NotReached>(module, "NotReached", PyExc_RuntimeError).doc() =
         "The numerics could not do it; the text names time and joint.";
-    // they live as long as the interpreter: they must not be released after it
+    // the exceptions live as long as the interpreter: they must not be released after its end
     static py::handle lesson_error =
         py::exception<LessonError>(module, "LessonError", PyExc_ValueError).release();
     lesson_error.doc() =

@@ -7,7 +7,7 @@ namespace jointwise::python {
 
 namespace {
 
-/// Writes to `out`, whose views show the new numbers, or to new Equations.
+/// Writes the equations to `out`, whose views then show the new numbers; without `out`, to new Equations.
 py::object written_equations(
     Evaluator& evaluator, const Pose& pose, const Rates* velocities, Equations* out) {
     Rates at_rest;
@@ -17,7 +17,7 @@ py::object written_equations(
         evaluator.equations_at(pose, rates, *made);
         return py::cast(std::move(made));
     }
-    // for another size, the numbers would move away from views of them
+    // another size would reallocate the numbers, and views of them would dangle
     if (out->phi.size() != evaluator.rows() || out->jacobian.cols() != evaluator.columns()) {
         throw py::value_error("jointwise: out is of another mechanism or of other coordinates");
     }
@@ -31,7 +31,7 @@ Numbers phi_of(Evaluator& evaluator, const Pose& pose) {
     return copied(phi);
 }
 
-/// Equations along a motion, with the shape of a row of the Jacobian's table.
+/// Equations along a motion, and the size of Φq: each row of its table has rows × columns numbers.
 struct AlongMotion {
     EquationsTable table;
     py::ssize_t rows;

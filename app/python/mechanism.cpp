@@ -7,8 +7,8 @@ namespace jointwise::python {
 
 namespace {
 
-/// An argument that names a body or a joint: its number, or its name.
-/// @throws py::value_error for a name that nothing has, py::type_error for what is neither
+/// Number of the body or joint that an argument gives by its number or by its name.
+/// @throws py::value_error for an unknown name, py::type_error for an argument that is neither
 int number_of(const py::object& value, const std::vector<std::string>& names, const std::string& what) {
     if (!py::isinstance<py::str>(value)) {
         const long number = PyIndex_Check(value.ptr()) != 0 ? PyLong_AsLong(py::int_(value).ptr()) : -1;

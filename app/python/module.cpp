@@ -1,7 +1,7 @@
 #include "app/python/bindings.hpp"
 
-/// jointwise._jointwise: the library of docs/library.md for Python. Users import the package jointwise beside
-/// it.
+/// jointwise._jointwise: the library of docs/library.md for Python. Users import the package jointwise, which
+/// contains it.
 PYBIND11_MODULE(_jointwise, module) {
     using namespace jointwise::python;
     module.doc() =

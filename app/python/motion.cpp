@@ -13,7 +13,7 @@ struct Part {
     const char* name;
     Table Trajectory::*table;
     int of_body;  ///< columns of the table for each body
-    int first;    ///< of the part among them
+    int first;    ///< of these, the first column of the part
     int width;    ///< numbers of the part; 0: the numbers after those of the bodies
     const char* doc;
 };

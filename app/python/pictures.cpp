@@ -37,7 +37,7 @@ Image drawn(const T& what, Pose pose, int width, int height) {
 const Mechanism& mechanism_of(const Mechanism& mechanism) { return mechanism; }
 const Mechanism& mechanism_of(const Lesson& lesson) { return lesson.mechanism(); }
 
-/// Picture for a notebook: assembled, or as given if that fails.
+/// Picture for a notebook: the assembled mechanism, or the start pose if it cannot be assembled.
 template <class T>
 py::bytes inline_png(const T& what) {
     Pose pose = start_pose(mechanism_of(what));

@@ -24,7 +24,7 @@ Rates rates_with(const py::object& r_dot, const py::object& omega_local, const p
     return rates;
 }
 
-/// A member that numpy views in place; assignment needs the same number of numbers.
+/// Adds a member as an array that is viewed in place. An assignment must not change its size.
 template <class T, class Member, class Read>
 void add_array(py::class_<T>& type, const char* name, Member T::*member, Read read, const char* doc) {
     type.def_property(

@@ -53,7 +53,7 @@ void add_folder(const fs::path& folder, const fs::path& place, std::vector<Cours
     }
 }
 
-/// The files that give the order of lessons. If the folder is part of a course, that of the whole course.
+/// Adds the files with the order of lessons; if the folder is part of a course, that of the whole course.
 void add_orders(const fs::path& folder, const fs::path& place, std::vector<CourseFile>& files) {
     std::error_code error;
     for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {

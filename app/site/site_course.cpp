@@ -95,7 +95,7 @@ private:
         read_.course.lessons.push_back(std::move(lesson));
     }
 
-    /// Refuses names of pages that differ only in capitals: many disks take them for the same name.
+    /// Refuses names of pages that differ only in capitals: many file systems take them for the same name.
     void check_page(const SiteLesson& lesson) {
         std::string page = lesson.name;
         std::ranges::transform(page, page.begin(), [](unsigned char c) { return std::tolower(c); });

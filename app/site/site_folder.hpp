@@ -12,8 +12,8 @@ namespace jw::site {
 
 /// A folder with a site. The new site is written beside the old one, and replaces it only when it is
 /// complete. If a run is killed during the replacement, the next run puts the old site back. The subfolders
-/// of the site belong to it completely; a foreign file beside them prevents the writing. Meanwhile the folder
-/// is locked against other runs that write a site.
+/// of the site belong to it completely; a foreign file beside them prevents the writing. While this object
+/// exists, the folder is locked against other runs that write a site.
 class SiteFolder {
 public:
     /// @throws std::runtime_error if the folder cannot be created, is in use, or has files that are not part

@@ -10,7 +10,7 @@ namespace {
 
 // of a story with more stations, only those with a text of the author get a picture: forty would be too many
 constexpr std::size_t kAllPictured = 12;
-// moments of a motion: a page is not a film
+// most moments of a motion that a page shows
 constexpr std::size_t kMostMoments = 6;
 
 const Step& step_at_index(const Story& story, int index) {

@@ -45,7 +45,7 @@ Difference difference_of(const Snapshot& before, const Snapshot& now, const Snap
 /// the lesson, not to each of its snapshots.
 std::optional<StepNumber> other_steps(const Record& before, const Record& now);
 
-/// The rule for colours that is broken; empty if none is. Also for pictures that do not belong to a snapshot.
+/// Difference of colours, with the broken rule if there is one. Also for pictures that belong to no snapshot.
 LayerDifference compare_colours(
     const render::Image& before, const render::Image& now, const SnapshotRules::Colour& rules);
 

@@ -50,7 +50,7 @@ render::PixelMask pixels_of(const render::PictureLayers& layers, const IsIts& is
     return mask;
 }
 
-/// True for colours that differ by more than `level` even in the shade, where a quarter of them is left.
+/// True for colours that differ by more than `level` even in shade, which leaves a quarter of the difference.
 bool are_plainly_different(const render::Colour& a, const render::Colour& b) {
     const float apart = std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
     return apart > 4.0F * static_cast<float>(kDefaults.colour.level) / 255.0F;
@@ -229,7 +229,7 @@ private:
         skip("a joint is left out", "ids", "no joint is seen on more pixels than may differ");
     }
 
-    /// The facts about two pictures differ.
+    /// True if the facts about two pictures differ.
     static bool is_told(const Picture& before, const Picture& now, const Mechanism& mechanism) {
         std::vector<Fact> a = facts_of(before, mechanism);
         std::vector<Fact> b = facts_of(now, mechanism);

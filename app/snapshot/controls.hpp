@@ -33,8 +33,8 @@ struct ControlResults {
 };
 
 /// Makes faults in the snapshot of a shot and compares. The picture without the fault and the default rules
-/// decide whether a fault can be noticed: loose rules, or a renderer that draws the same picture again, are
-/// no excuse.
+/// decide whether a fault can be noticed; loose rules, or a renderer that draws the same picture again, do
+/// not.
 ControlResults control(
     Camera& camera, const Shot& shot, const SnapshotRules& rules, const std::set<Fault>& wanted);
 

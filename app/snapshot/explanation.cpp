@@ -52,7 +52,7 @@ std::string unit_of_load(const std::string& lesson, const std::string& path, std
 
 /// A difference of two numbers with its unit: "1 mm", "0.2 m", "5 deg", "1 N"; without a unit if it is not
 /// known.
-/// @param lesson  a function of time is a force or a factor of one, and other keys of its table decide which
+/// @param lesson  the other keys of the load tell whether a function of time is a force or a factor of one
 /// @param path    of the key, as `difference_of` names it
 /// @param index   of the number in its list, 0 for a single one
 std::string amount_text(

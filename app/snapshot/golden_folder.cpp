@@ -70,7 +70,7 @@ std::string text_of(const SnapshotSize& size) {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
-/// A picture of this size: pictures of other sizes are not even decoded.
+/// Reads a picture that must have this size: pictures of other sizes are not even decoded.
 render::Image picture_at(const fs::path& path, const SnapshotSize& size) {
     const std::vector<std::uint8_t> bytes = bytes_of(path, kLargestPng);
     const auto [width, height] = render::size_of_png(bytes, path.string());

@@ -17,7 +17,7 @@ struct LayersPicture {
     render::Image depth;
 };
 
-/// The colour of a thing depends only on its name, not on the other things.
+/// The layers as pictures. The colour of a thing depends only on its name, not on the other things.
 LayersPicture picture_of(const render::PictureLayers& layers, const Mechanism& mechanism);
 
 /// Name of the thing that a part of the scene belongs to, by the part's id: "crank", "hinge", "hinge s_i";

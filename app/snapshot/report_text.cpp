@@ -50,7 +50,7 @@ std::string describe(const SnapshotResult& snapshot) {
     return text;
 }
 
-/// Steps that fail or are gone come first, otherwise the order is that of the story.
+/// Snapshots in the order of the story, but first those of steps that fail or are gone.
 std::vector<std::reference_wrapper<const SnapshotResult>> by_weight(
     const std::vector<SnapshotResult>& snapshots) {
     std::vector<std::reference_wrapper<const SnapshotResult>> sorted(snapshots.begin(), snapshots.end());

@@ -11,7 +11,7 @@ namespace jw::snapshot {
 
 /// The result for one lesson, as text.
 std::string describe(const LessonResult& result);
-/// "3 lessons, 40 snapshots: 38 same, 2 differ"
+/// "3 lessons, 40 snapshots: 38 same, 2 different"
 std::string summary(const std::vector<LessonResult>& results);
 
 Json json_of(const std::vector<LessonResult>& results);
@@ -21,7 +21,7 @@ std::string junit_of(const std::vector<LessonResult>& results);
 /// the actual one, where they differ, and the numbers that changed.
 std::string html_of(const std::vector<LessonResult>& results);
 
-/// "differs"
+/// "different"
 const char* word_of(Verdict verdict);
 /// The reasons why a snapshot is not the same, in the order of the layers; empty if it is.
 std::vector<std::string> reasons_of(const SnapshotResult& result);

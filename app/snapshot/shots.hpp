@@ -35,7 +35,7 @@ struct ShotChoice {
 ///
 /// A name says what is shown, not which step it is, so that it stays the same when a joint is added
 /// elsewhere. It has only letters, digits, '-', '_' and '.'; other bytes become %C3.
-/// @throws std::runtime_error for a chosen name that no step has, with a similar one, if that is refused
+/// @throws std::runtime_error for a name that no step has, with a similar name, if such names are refused
 std::vector<Shot> shots_of(const Story& story, const ShotChoice& choice, UnknownShots unknown);
 
 }  // namespace jw::snapshot

@@ -88,7 +88,7 @@ std::vector<std::string> gone_from(const GoldenFolder& folder, const Camera& cam
     return left;
 }
 
-/// A step at which the mechanism now fails, or that is gone: "'pivot' is gone"; empty if there is none.
+/// Words about a step at which the mechanism now fails, or that is gone; empty if there is none.
 std::string lost_step(const std::vector<SnapshotResult>& snapshots) {
     for (const SnapshotResult& s : snapshots) {
         const bool fails_now =
@@ -101,7 +101,7 @@ std::string lost_step(const std::vector<SnapshotResult>& snapshots) {
     return gone == snapshots.end() ? "" : "the lesson has no step '" + gone->name + "' any more";
 }
 
-/// "step A: rank 5 → 4" of the first snapshot with a changed fact.
+/// Sentence about the most important changed fact: "... in 'A' rank is another: 5 → 4"; empty without one.
 std::string first_fact(const std::vector<SnapshotResult>& snapshots) {
     const auto weight = [](const SnapshotResult& s) { return s.difference.facts.front().weight; };
     const SnapshotResult* first = nullptr;
@@ -118,7 +118,7 @@ std::string first_fact(const std::vector<SnapshotResult>& snapshots) {
            " is another: " + values;
 }
 
-/// Why snapshots differ if neither the lesson nor the facts do.
+/// Reason why snapshots differ if neither the lesson nor the facts do.
 std::string differing_otherwise(const std::vector<SnapshotResult>& snapshots) {
     const auto has = [&](Verdict verdict) {
         return std::ranges::find(snapshots, verdict, &SnapshotResult::verdict) != snapshots.end();

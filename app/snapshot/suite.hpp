@@ -50,7 +50,7 @@ struct SnapshotResult {
     std::vector<std::uint8_t> golden_png;
     std::vector<std::uint8_t> actual_png;
     std::vector<std::uint8_t> marked_png;      ///< colours that differ
-    std::vector<std::uint8_t> marked_ids_png;  ///< things that differ
+    std::vector<std::uint8_t> marked_ids_png;  ///< things or depths that differ
 };
 
 struct LessonResult {
@@ -61,7 +61,7 @@ struct LessonResult {
     std::vector<std::string> lesson_changes;  ///< changes in its file since the snapshots were taken
     int steps = 0;                            ///< of the story
     std::vector<SnapshotResult> snapshots;    ///< in the order of the story
-    ControlResults controls;                  ///< faults that could not be made in the lessons before
+    ControlResults controls;                  ///< faults that could not be made in earlier lessons
 
     bool fails() const;
     /// "the lesson has 23 steps, 24 before"; empty if the number is the same. It counts once, whatever else
@@ -85,13 +85,13 @@ SnapshotResult gone_snapshot(const GoldenFolder& folder, const std::string& name
 
 /// Compares the lesson with its golden snapshots.
 /// @param controls  faults for which it is also tested whether the rules notice them
-/// @throws std::runtime_error if its head cannot be read
+/// @throws std::runtime_error if the head of the golden folder cannot be read
 LessonResult compare(
     const Lesson& lesson, const std::string& lesson_text, const SuiteLesson& of, const GoldenFolder& folder,
     const SnapshotRules& rules, const std::set<Fault>& controls);
 
-/// Replaces golden snapshots that differ, are drawn by other software, are new or gone by the present ones,
-/// with the reason.
+/// Replaces golden snapshots by the present ones, with the reason, if they differ, are new or gone, or were
+/// drawn by other software.
 /// @param only  some snapshots; empty: all of the lesson, and its copy of the lesson as well
 /// @return names of the changed snapshots
 std::vector<std::string> bless(

@@ -39,7 +39,7 @@ public:
     const std::vector<Shot>& shots() const { return shots_; }
     /// The snapshot of a shot, with tolerances that all snapshots of the lesson share.
     Snapshot take(const Shot& shot);
-    /// The colours of its snapshot if the step had another number.
+    /// The colours of the snapshot of a shot, as if its step had another number.
     render::Image colour_as(const Shot& shot, const StepNumber& number);
 
     /// For callers that change what is drawn.

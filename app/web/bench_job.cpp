@@ -99,7 +99,7 @@ BenchJob::News BenchJob::news() const { return results().at(running_->number).ne
 
 extern "C" {
 
-/// Takes over what another copy of the program has measured.
+/// Stores the results that another copy of the program has measured.
 EMSCRIPTEN_KEEPALIVE void jw_measured(int number, const char* news) {
     const auto found = jw::results().find(number);
     if (found == jw::results().end()) { return; }

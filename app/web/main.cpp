@@ -30,7 +30,7 @@ const char* answered(std::string text) {
     return answer.c_str();
 }
 
-/// @return why `act` cannot be carried out; empty if it was
+/// @return why `act` could not be carried out; empty if it was
 template <class Act>
 const char* problem_of(const Act& act) {
     try {

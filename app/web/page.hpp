@@ -37,7 +37,7 @@ public:
     /// @param seconds  since the last picture
     /// @return seconds until another one is due without an event; 0: at once, infinity: never
     double frame(double seconds);
-    /// Call when the browser has taken away the graphics context, and when it gives it back.
+    /// To be called when the browser has taken away the graphics context, and when it restores the context.
     void lose_context();
     void restore_context();
 
@@ -47,7 +47,7 @@ public:
     /// @throws as read_address
     void go_to(const std::string& address);
 
-    /// Text of the open lesson with the experiments; its file if there are none; empty without a lesson.
+    /// The open lesson as text, with the experiments; the text of its file if none; empty without a lesson.
     std::string lesson_source() const;
     /// Shows a file that has just been written, at the step that is shown.
     void follow(const std::filesystem::path& file);

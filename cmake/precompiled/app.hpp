@@ -1,6 +1,6 @@
 #pragma once
 
-/// As core.hpp, for the session and all that shows or asks it.
+/// As core.hpp, for the session and all code that shows it or asks it.
 #include <filesystem>
 #include <fstream>
 #include <map>

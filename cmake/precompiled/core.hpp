@@ -1,7 +1,7 @@
 #pragma once
 
-/// Headers that most sources read, compiled once for each set of flags (cmake/precompiled.cmake). Sources
-/// include what they use all the same; a build without precompiled headers is that of `./dev tidy`.
+/// Headers that most sources read, compiled once for each set of flags (cmake/precompiled.cmake). Each source
+/// still includes all headers that it uses; `./dev tidy` builds without precompiled headers.
 #include <algorithm>
 #include <array>
 #include <bit>

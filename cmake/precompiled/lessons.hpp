@@ -1,6 +1,6 @@
 #pragma once
 
-/// As core.hpp, for what reads and writes lesson files.
+/// As core.hpp, for code that reads and writes lesson files.
 #include <filesystem>
 #include <fstream>
 #include <map>

@@ -1,17 +1,17 @@
-# The packages of cmake/packages.cmake for WebAssembly, under the same names: headers of Debian's packages where they are
-# all there is, and sources of the toolchain's folder (toolchain.sh) where a library must be compiled.
+# The packages of cmake/packages.cmake for WebAssembly, under the same names: Debian's headers for header-only packages,
+# and sources in the toolchain's folder (toolchain.sh) for libraries that must be compiled.
 enable_language(C)
 
-# Exceptions as the machine has them. Numbers as everywhere: nothing is multiplied and added at once.
+# Native exceptions of WebAssembly. Numbers are as everywhere: there is no fused multiply-add.
 add_compile_options(-fwasm-exceptions -ffp-contract=off -msimd128)
 add_link_options(-fwasm-exceptions)
-# libc++ 18 keeps std::stop_token and std::jthread behind this
+# libc++ 18 has std::stop_token and std::jthread only with this option
 add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fexperimental-library>)
 add_link_options(-fexperimental-library)
 
 set(JW_WEB_SOURCES "" CACHE PATH "Sources of imgui, freetype and libdeflate: what toolchain.sh has fetched")
 
-# The system's headers as a whole are those of another machine: each package is linked into a folder of its own.
+# The system's headers as a whole are for another machine, so each package is linked into a folder of its own.
 function(jw_header_package target name file)
   find_path(found_${target} ${file} PATHS /usr/include /usr/include/eigen3 /usr/include/stb NO_DEFAULT_PATH
             NO_CMAKE_FIND_ROOT_PATH REQUIRED)
@@ -35,8 +35,8 @@ jw_header_package(jw_stb_reader stb stb_image.h)
 jw_header_package(jw_gl_types gl GL/glcorearb.h)
 jw_header_package(jw_gl_platform khr KHR/khrplatform.h)
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
-# Eigen has assembler of x86 for GCC before 6.3 (10 * 5 + 13 is no less than 63), for GCC from 6.0 on, and for a barrier
-# that nothing needs without -ffast-math
+# Eigen has x86 assembler for GCC before 6.3 (10 * 5 + 13 is not less than 63), for GCC from 6.0 on, and for a barrier
+# that is needed only with -ffast-math
 target_compile_options(Eigen3::Eigen INTERFACE -msse2 -fgnuc-version=5.13 "-DEIGEN_OPTIMIZATION_BARRIER(X)=")
 target_include_directories(Eigen3::Eigen SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/cmake/web/headers)
 include(eigen)
@@ -50,7 +50,7 @@ add_library(web_libdeflate STATIC ${deflate})
 target_include_directories(web_libdeflate SYSTEM PUBLIC ${JW_WEB_SOURCES}/libdeflate)
 add_library(PkgConfig::libdeflate ALIAS web_libdeflate)
 
-# the formats of our fonts, without those that are compressed or made of pixels
+# only the formats of the program's fonts, without compressed and bitmap fonts
 set(freetype ${JW_WEB_SOURCES}/freetype)
 add_library(web_freetype STATIC
   ${freetype}/src/autofit/autofit.c ${freetype}/src/base/ftbase.c ${freetype}/src/base/ftbbox.c

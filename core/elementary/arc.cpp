@@ -9,10 +9,10 @@ namespace jw::elementary {
 
 namespace {
 
-/// Steps of the table in 1: atan q = atan a + atan d, d = (q - a) / (1 + q a), with d of at most 2^-9, so
-/// that roundings of d are far below the last place of the sum.
+/// Steps of the table per unit of q: atan q = atan a + atan d, d = (q - a) / (1 + q a), with d of at most
+/// 2^-9, so that roundings of d are far below the last place of the sum.
 constexpr int kArcSteps = 256;
-/// The first entry that is used: below it, atan q is q and a small rest by the power series.
+/// Tangent from which the table is used: below it, atan q is q plus a small rest by the power series.
 constexpr double kSmallTangent = 0.125;
 
 /// atan of at most 2^-8, by its power series
@@ -35,7 +35,7 @@ constexpr auto kArcs = [] {
     return table;
 }();
 
-/// atan(y / x) + rest for 0 <= y <= x, x between 2^-900 and 2^900; not normalized
+/// atan(y / x) + rest for 0 <= y <= x, x between 2^-900 and 2^900; not normalised
 Pair eighth_turn(double y, double x, double rest) {
     const double q = y / x;
     if (q < kSmallTangent) {
@@ -75,10 +75,10 @@ Pair other_side(double x) {
     return square.high > 0.0 ? square_root(square) : Pair{};
 }
 
-/// atan2 of positive finite numbers as an angle and not normalized
+/// atan2 of positive finite numbers; not normalised
 Pair first_quarter(double y, double x) {
     const double larger = y > x ? y : x;
-    // parts of products neither overflow nor vanish
+    // scaled so that parts of products neither overflow nor vanish
     if (larger > 0x1p900) {
         y *= 0x1p-200;
         x *= 0x1p-200;
@@ -117,7 +117,7 @@ double atan(double x) {
     return std::copysign(rounded(angle_of(std::abs(x), 1.0)), x);
 }
 
-// the legs of the triangle are x and c = sqrt(1 - x²); a change of c changes its angle by -x dc
+// the triangle has the legs x and c = sqrt(1 - x²); a change dc changes the angle opposite x by -x dc
 
 double asin(double x) {
     if (!(std::abs(x) <= 1.0)) { return kNotANumber; }
@@ -142,7 +142,7 @@ double hypot(double x, double y) {
     if (std::isnan(a) || std::isnan(b)) { return kNotANumber; }
     if (a < b) { std::swap(a, b); }
     if (b <= a * 0x1p-54) { return a; }
-    // squares neither overflow nor lose digits
+    // scaled so that squares neither overflow nor lose digits
     double scale = 1.0;
     if (a > 0x1p450) {
         scale = 0x1p-600;

@@ -7,7 +7,7 @@
 /// some 70 bits and rounded once, and its tables are computed at compile time.
 namespace jw::elementary {
 
-/// high + low; normalized: low is at most half a unit in the last place of high.
+/// high + low; normalised: low is at most half a unit in the last place of high.
 struct Pair {
     double high = 0.0;
     double low = 0.0;
@@ -33,7 +33,7 @@ constexpr Pair halves(double a) {
     return {high, a - high};
 }
 
-/// a b without error, where neither overflows in `halves` nor the error underflows.
+/// a b without error, unless a or b overflows in `halves` or the error underflows.
 constexpr Pair product(double a, double b) {
     const Pair x = halves(a);
     const Pair y = halves(b);

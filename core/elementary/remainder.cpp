@@ -9,7 +9,7 @@ namespace jw::elementary {
 
 namespace {
 
-/// The first 1216 bits of 2/π: what angles up to 2^1024 need.
+/// The first 1216 bits of 2/π: enough for angles up to 2^1024.
 constexpr std::array<std::uint32_t, 38> kTwoOverPi{
     0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0, 0xdb629599, 0x3c439041, 0xfe5163ab, 0xdebbc561,
     0xb7246e3a, 0x424dd2e0, 0x06492eea, 0x09d1921c, 0xfe1deb1c, 0xb129a73e, 0xe88235f5, 0x2ebb4484,
@@ -20,7 +20,7 @@ constexpr std::array<std::uint32_t, 38> kTwoOverPi{
 /// 224 bits, the most significant first.
 using Words = std::array<std::uint32_t, 7>;
 
-/// Bits of 2/π from number `first` on, which counts those after the point from 0; zeros before.
+/// Bits of 2/π from bit `first` on; bit 0 is the first one after the point, and all bits before it are 0.
 Words bits_from(int first) {
     const auto word = [](int k) -> std::uint64_t {
         return k < 0 || k >= static_cast<int>(kTwoOverPi.size()) ? 0

@@ -17,10 +17,10 @@ constexpr double kQuarterNext = 6.07710050630396597660e-11;
 constexpr double kQuarterLast = 2.02226624879595063154e-21;
 /// 2^20 quarter turns [rad]
 constexpr double kFar = 1.6e6;
-/// Three parts of π/2 omit 2^-122 of it, and that a million times: too much for a remainder below this.
+/// Remainder below which three parts of π/2 are not enough: they omit 2^-122 of it, up to a million times.
 constexpr double kNear = 0x1p-28;
 
-/// An angle as quarter turns and a remainder of at most π/4 and a little.
+/// Angle as quarter turns and a remainder that exceeds π/4 only slightly, if at all.
 struct Remainder {
     Pair angle;        ///< [rad], with a relative error below 2^-70
     int quarters = 0;  ///< modulo 4

@@ -11,15 +11,15 @@ namespace jw::elementary {
 namespace {
 
 /// Steps of the table in one radian: sin(a + b) = sin a cos b + cos a sin b with b of at most 2^-8, so that
-/// roundings of what is added to sin a are far below its last place.
+/// roundings of the terms added to sin a are far below its last place.
 constexpr int kSineSteps = 128;
-/// Number of the table's entries, from 0 to π/4 and a little.
+/// Last index of the table; its angle is slightly above π/4.
 constexpr int kLastSine = 102;
 
 /// sin, cos and -sin of an angle: each is the derivative of the previous one.
 using Sines = std::array<Pair, 3>;
 
-/// By their power series.
+/// sin, cos and -sin of `angle`, by their power series.
 constexpr Sines sines_at(double angle) {
     Pair sine;
     Pair cosine;
@@ -33,8 +33,8 @@ constexpr Sines sines_at(double angle) {
     return {sine, cosine, -sine};
 }
 
-/// Sines of k / kSineSteps for k from -kLastSine to kLastSine: no branches are needed for signs, which would
-/// be mispredicted half of the time.
+/// Sines of k / kSineSteps for k from -kLastSine to kLastSine: negative k avoid branches on the sign, which
+/// would be mispredicted half of the time.
 constexpr auto kSines = [] {
     std::array<Sines, 2 * kLastSine + 1> table{};
     for (int k = 0; k <= kLastSine; ++k) {
@@ -45,13 +45,13 @@ constexpr auto kSines = [] {
     return table;
 }();
 
-/// Angles below this count as small: their sine is the angle and a small rest by the power series.
+/// Angles below this count as small: their sine is the angle plus a small rest by the power series.
 constexpr double kSmallAngle = 0.1875;
 
-/// Angles below this are their own sine and tangent; one of them is -0.
+/// Angles below this are their own sine and tangent; this includes -0.
 constexpr double kIsItsSine = 0x1p-30;
 
-/// sin of a small angle; not normalized
+/// sin of a small angle; not normalised
 Pair small_sine(const Pair& angle) {
     const double x = angle.high;
     const double z = x * x;
@@ -60,7 +60,7 @@ Pair small_sine(const Pair& angle) {
     return {x, x * z * series + angle.low * (1.0 - 0.5 * z)};
 }
 
-/// sin of the angle, or cos if `is_turned` by a quarter; not normalized
+/// sin of the angle, or cos if `is_turned` by a quarter; not normalised
 Pair quarter_sine(const Pair& angle, bool is_turned) {
     if (!is_turned && std::abs(angle.high) < kSmallAngle) { return small_sine(angle); }
     const double steps = (angle.high * kSineSteps + kRounds) - kRounds;

@@ -19,9 +19,9 @@ public:
 
     /// Velocities as columns: ṙ and ṗ (ω', ω), θ̇.
     VectorX columns_of(const State& state, const Motion& motion) const;
-    /// Velocities ṙ, ω', θ̇ of columns.
+    /// Velocities ṙ, ω', θ̇ from columns.
     Motion motion_of(const State& state, const VectorX& columns) const;
-    /// Accelerations as columns -> r̈, ω̇', θ̈ (p̈ and ω̇ converted as on slide 13).
+    /// Accelerations r̈, ω̇', θ̈ from columns (p̈ and ω̇ converted as on slide 13).
     Motion acceleration_of(const State& state, const VectorX& columns) const;
     /// Adds Δq to a state: p + Δp (not normalised here), or p rotated by Δq; fixed bodies are unchanged.
     void advance(State& state, const VectorX& delta) const;
@@ -38,7 +38,7 @@ private:
 template <class C>
 class Assembler {
 public:
-    /// @param system must outlive the assembler; its rows may be chosen again in between
+    /// @param system must outlive the assembler; its rows may be chosen again between assemblies
     explicit Assembler(const System& system, bool normalisation_rows = true);
 
     const Layout<C>& layout() const { return layout_; }
@@ -85,8 +85,8 @@ VectorX values_of(const Constraint& constraint, const State& state);
 struct ConstraintTerms {
     VectorX value;        ///< Φ
     VectorX rate;         ///< its time derivative
-    VectorX bias;         ///< part of the second one that is quadratic in velocities: -γ
-    MatrixX block_i;      ///< columns of body i in Φq, 0 where Φ does not depend on them; 7 or 6 of them
+    VectorX bias;         ///< part of the second derivative that is quadratic in velocities: -γ
+    MatrixX block_i;      ///< 7 or 6 columns of body i in Φq, 0 where Φ does not depend on them
     MatrixX block_j;      ///< columns of body j
     VectorX block_theta;  ///< column of the artificial coordinate
 };

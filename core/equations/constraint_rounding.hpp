@@ -16,8 +16,8 @@ inline constexpr int kMostRounds = 12;
 /// Residual after a projection up to which the equations count as satisfied; where more is left, no state
 /// satisfies them.
 inline constexpr double kMet = 1e-9;
-/// Residual up to which rows left out count as consistent on the way: the seven digits of a typed lesson,
-/// grown a thousand times during the motion.
+/// Residual up to which rows left out count as consistent during a motion: the error of a lesson typed with
+/// seven digits, grown a thousand times.
 inline constexpr double kContradicts = 1e-3;
 /// Residual up to which redundant equations count as consistent at the start: a lesson is typed with at least
 /// seven digits. A larger one is a contradiction.

@@ -46,8 +46,8 @@ CurveFollowed curve_followed(const Joint& joint) {
     return out;
 }
 
-/// Rows that a joint's equations with θ leave for its bodies. Without one of the two equations of a screw or
-/// of wheels, the other only says what θ is.
+/// Bit k: component k of a constraint has no row in its link. If one of the two equations of a screw or of
+/// wheels is taken out, the other one only determines θ, and no row is left.
 unsigned left_out_of(const Constraint& c, const Joint& joint) {
     const auto out = thetas_out(joint).size();
     if (!has_theta(c.role) || out == 0) { return c.left_out(); }
@@ -64,7 +64,7 @@ std::optional<LinkPrimitive> link_primitive(const Constraint& c, const Joint& jo
             } else if constexpr (std::is_same_v<P, ScrewAngle>) {
                 return std::nullopt;
             } else if constexpr (std::is_same_v<P, OnCurve>) {
-                // both rows at once
+                // one primitive has both rows of the curve
                 if (c.role != Role::curve_x) { return std::nullopt; }
                 return curve_followed(joint);
             } else if constexpr (std::is_same_v<P, Wheel>) {
@@ -177,7 +177,7 @@ CountedAngle parameter_at(
     return {u, measured<Content::motion>(along, i, j, Theta{}).rate(0) / c_u.squaredNorm()};
 }
 
-/// The angle of a pose alone, given up to whole turns, with those that the rest of the pose determines.
+/// Angle of a pose alone, given up to whole turns, with the turns that the rest of the pose determines.
 template <class Angle>
 double angle_of_pose(
     const AdvanceTurned<Angle>& advance, double turned, const BodyKinematics<OmegaLocal>& i,

@@ -14,14 +14,14 @@
 /// artificial coordinates (which have no mass).
 namespace jw {
 
-/// Angle including whole turns, at a moment of a motion. Two directions determine their angle up to whole
-/// turns only; during a motion these are counted by the rate.
+/// Angle including whole turns, at a moment of a motion. Two directions determine their angle only up to
+/// whole turns; during a motion the turns are counted by means of the rate.
 struct TurnsSoFar {
     double t;      ///< [s]
     double theta;  ///< [rad]
     double rate;   ///< [rad/s]
 
-    /// An angle known up to whole turns [rad], with the turns nearest to `expected`.
+    /// Angle known up to whole turns [rad], with the number of turns that brings it nearest to `expected`.
     static double nearest(double turned, double expected) {
         return expected + std::remainder(turned - expected, 2.0 * std::numbers::pi);
     }
@@ -37,7 +37,7 @@ struct AdvanceTurned {
     double alpha;    ///< [m/rad]
     double d_0;      ///< [m]
     double theta_0;  ///< [rad]
-    /// Turns of the angle so far; a pose alone has as many as fit its displacement best.
+    /// Turns of the angle so far; if absent, the number of turns that fits the displacement best is used.
     std::optional<TurnsSoFar> so_far = std::nullopt;
 
     /// Φ [m] of an advance [m] and an angle known up to whole turns [rad] at time t [s].
@@ -49,19 +49,19 @@ struct AdvanceTurned {
     double residual_up_to_turns(double phi) const {
         return std::remainder(phi, 2.0 * std::numbers::pi * alpha);
     }
-    /// θ that the displacement asks for [rad].
+    /// θ that belongs to the displacement [rad].
     double theta_of(double advanced) const { return theta_0 + (advanced - d_0) / alpha; }
 };
 using ScrewTurned = AdvanceTurned<AngleMeasure>;
 using RackTurned = AdvanceTurned<Wheel>;
 
-/// Gear or belt without its coordinate θ: Φ = θ_j - ratio θ_i, the angles of its wheels up to whole turns of
-/// that of j [rad].
+/// Gear or belt without its coordinate θ: Φ = θ_j - ratio θ_i [rad], with the angles of its wheels, up to
+/// whole turns of wheel j.
 struct GearTurned {
     static constexpr int kEquations = 1;
     Wheel i;
     Wheel j;
-    /// Turns of θ_i so far; a pose alone has as many as fit θ_j best.
+    /// Turns of θ_i so far; if absent, the number of turns that fits θ_j best is used.
     std::optional<TurnsSoFar> so_far = std::nullopt;
 
     double residual(double turned_i, double turned_j, double t) const {
@@ -74,8 +74,8 @@ struct GearTurned {
     }
 };
 
-/// A point of body j on a curve of body i, without its coordinate θ: the two components of d - c(θ) across
-/// the curve at its nearest point [m].
+/// Point of body j on a curve of body i, without its coordinate θ: the two components of d - c(θ) [m]
+/// perpendicular to the curve at its nearest point.
 struct CurveFollowed {
     static constexpr int kEquations = 2;
     Curve curve;
@@ -84,9 +84,9 @@ struct CurveFollowed {
     /// Axis along which the point is free, if that component is taken out by hand: then the curve has no
     /// extent along it, and only the first row counts.
     Vec3 free_axis = Vec3::Zero();
-    /// Parameter of the nearest point so far; a pose alone has that of the whole curve.
+    /// Parameter of the nearest point so far; if absent, the whole curve is searched.
     std::optional<TurnsSoFar> so_far = std::nullopt;
-    /// Direction of the first row so far. It goes on without turning about the curve.
+    /// Direction of the first row so far; it is continued without a turn about the curve.
     Vec3 side = Vec3::Zero();
 
     /// Direction of the first row where the curve has this tangent.
@@ -103,7 +103,7 @@ struct CurveFollowed {
     double residual_up_to_turns(double phi) const { return phi; }
 };
 
-/// d in the frame of body i [m].
+/// d in the frame of body i [m], without its part along the free axis.
 template <class C>
 Vec3 d_local_of(const CurveFollowed& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j) {
     const Vec3 d = i.A.transpose() * (j.r + j.A * c.P_j_local - i.r) - c.P_i_local;
@@ -171,7 +171,7 @@ struct Link {
 
 /// Converts all joints and drivers to links of at most `kMostRows` rows. p1 and p2 under the rule (or with
 /// all three equations) become their n1 / n2 pair, which has condition 1 for every axis, so that no row has
-/// to be switched on the way. Forms chosen by hand are kept.
+/// to be switched during a motion. Forms chosen by hand are kept.
 inline constexpr int kMostRows = 6;
 std::vector<Link> links_of(const Mechanism& mechanism);
 

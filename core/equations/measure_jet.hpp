@@ -11,7 +11,7 @@ struct MeasureJet {
     double value = 0.0;
     double rate = 0.0;
     double bias = 0.0;       ///< the part of the second derivative that is quadratic in the velocities
-    Row by_i = Row::Zero();  ///< gradient by r and the turn of body i; zero where it does not depend on it
+    Row by_i = Row::Zero();  ///< gradient by r and turn of body i; zero if the measure depends on neither
     Row by_j = Row::Zero();
     double by_theta = 0.0;
 };

@@ -22,11 +22,11 @@ double unit_of(const Primitive& primitive, double length) {
     return std::visit([&](const auto& p) { return p.unit(length); }, primitive);
 }
 
-/// How far beside a pose the gradient of a formula is looked at, too: in units of length, and in radians.
+/// Distance from a pose at which the gradient of a formula is evaluated too: in units of length or radians.
 constexpr double kBesidePose = 0.01;
 
-/// Sizes of the gradient of a formula by positions and by turns: the largest ones at a pose and beside it, so
-/// that a pose at which the gradient is 0 does not decide. Farther away it may be many times as large.
+/// Sets the sizes of the gradient of a formula by positions and by turns to the largest at a pose and beside
+/// it, because the gradient may be 0 at the pose. Farther away it may be many times as large.
 void set_size(
     FormulaEquation& formula, const std::array<Vec3, 2>& r, const std::array<Vec4, 2>& p, double length) {
     double by_length = 0.0;
@@ -187,7 +187,7 @@ bool System::choose_rows(const State& state) {
 }
 
 void System::inherit_rows(const System& other) {
-    // constraints of a joint stand together
+    // the constraints of a joint are consecutive
     std::vector<std::size_t> first_of_joint(mechanism_->joints.size(), other.constraints_.size());
     for (std::size_t k = other.constraints_.size(); k-- > 0;) {
         first_of_joint[at(other.constraints_[k].joint)] = k;

@@ -6,7 +6,7 @@
 #include "core/equations/independent_rows.hpp"
 #include "core/model/mechanism.hpp"
 
-/// The equations of a part of a mechanism, with their provenance and the layout of rows and columns.
+/// The equations of a part of a mechanism, with the origin of each row and the layout of rows and columns.
 /// Structure is computed once; only the choice of p1 / p2 rows may change, between solves.
 namespace jw {
 
@@ -30,7 +30,7 @@ struct Constraint {
     int rows() const { return equations - std::popcount(left_out()); }
 };
 
-/// A driver, one row.
+/// Equation of a driver, one row.
 struct DriverConstraint {
     int driver = 0;
     int theta = -1;
@@ -97,7 +97,7 @@ public:
     /// taken out by hand the first choice stays: the others no longer imply the one that the rule leaves out.
     /// @return true if a choice changed
     bool choose_rows(const State& state);
-    /// Takes over the choices that the rule has made in another system, where both have the constraint.
+    /// Takes over the choices that the rule has made in another system, for constraints that both have.
     void inherit_rows(const System& other);
 
 private:

@@ -183,7 +183,7 @@ void ExplicitIntegrator::take_up_rows() {
     y_new_ = y_;
     tried_ = t_;
     project(t_, y_);
-    // a motion that violates rows, and never obeyed them, was locked from the start: it is free to first
+    // a motion that violates rows, and never satisfied them, was locked from the start: it is free to first
     // order only
     is_locked_ = scales_.difference(y_.data(), y_new_.data()) > kOneMotion;
     verdict_ = evaluate(t_, y_, stages_.front());
@@ -315,7 +315,7 @@ bool ExplicitIntegrator::step(double t_end) {
             continue;
         }
         const double error = is_fixed() ? 0.0 : error_of(h);
-        // the estimate of a step through a singular position sees rounding, not the motion
+        // the error estimate of a step through a singular position is rounding, not an error of the motion
         const bool small_enough =
             singular && h <= kSmallestShare * regular_step_ && is_rounding(error, h) &&
             error * options_.tolerance < most_error_through(lowest_pivot_ / regular_pivot_) &&

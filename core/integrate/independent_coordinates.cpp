@@ -18,7 +18,7 @@ constexpr double kDistinct = 0.05;
 constexpr double kStillDistinct = 0.3;
 
 /// Sensitivity of a coordinate to a motion along its gradient, 1 at best. e_k is a cosine: near ±1 it is
-/// insensitive to rotation and does not show on which side of it the body is.
+/// insensitive to rotation and does not show on which side of ±1 the body is.
 double sharpness_of(const IndependentCoordinate& c, const MeasureJet& jet) {
     const auto* of_body = std::get_if<CoordinateMeasure>(&c.measure);
     return of_body != nullptr && of_body->coordinate >= 3 ? 2.0 * jet.by_j.norm() : 1.0;
@@ -171,7 +171,7 @@ void IndependentCoordinates::place(double t, const VectorX& x, double* y) {
     }
     const bool reached = tracker_->advance_to(t);
     pack(tracker_->frame().state, tracker_->frame().velocity, moving_, y);
-    // after a failure, the way back cannot be proved
+    // after a failure, the way back cannot be proved: tracking starts again from the last accepted state
     if (!reached) { begin_tracking(accepted_t_, accepted_.data()); }
 }
 

@@ -19,8 +19,8 @@ struct IndependentCoordinate {
 };
 
 /// State x = (z, ż) with z the independent coordinates; places a mechanism at given x and computes ẋ there.
-/// Poses of scenes whose drivers leave no freedom come from the motion tracker, and x is empty: Newton's
-/// method from an estimate may lead to another branch.
+/// If the drivers leave no freedom, x is empty and poses come from the motion tracker, since Newton's method
+/// from an estimate may lead to another branch.
 /// @source coordinate partitioning, book ch. 13
 class IndependentCoordinates final : public ReducedCoordinates {
 public:
@@ -69,7 +69,7 @@ private:
     Centroidal driven_scene_;          ///< scene with a driver for every chosen coordinate
     std::unique_ptr<DrivableEquations> driven_;
     std::vector<int> moving_;
-    std::unique_ptr<System> system_;          ///< empty where something is free
+    std::unique_ptr<System> system_;          ///< empty if the mechanism has freedoms
     std::unique_ptr<MotionTracker> tracker_;  ///< of `system_`; proves poses, however small pivots are
     double accepted_t_ = 0.0;
     std::vector<double> accepted_;  ///< y at the end of the last step

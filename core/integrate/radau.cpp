@@ -18,11 +18,11 @@ constexpr double kFarthest = 2.0;
 constexpr int kMostDodges = 12;
 /// Pivot of a stage below which a step passes through a singular position: the square of 0.03.
 constexpr double kThrough = 1e-3;
-/// Share of the last regular step below which one near a singular position is given up.
+/// Share of the last regular step below which a step near a singular position is given up.
 constexpr double kGivesUp = 1e-3;
 /// Contraction of Newton's iteration from which a new Jacobian is worth its evaluations.
 constexpr double kSlowContraction = 0.1;
-/// Size of a change, relative to the tolerance, that cannot spoil a step.
+/// Size of a change, relative to the tolerance, that does not affect a step.
 constexpr double kRoundingSeen = 1e-3;
 constexpr double kRoundingNear = 0.1;  ///< the same near a singular position, where rounding allows no more
 /// Error of a step through a singular position, relative to the tolerance, that is attributed to rounding.
@@ -77,7 +77,7 @@ void RadauIntegrator::evaluate(
     if (coordinates_->are_projected()) { ++counts_.projections; }
 }
 
-/// Chooses new coordinates; what is stored of the last step in the old ones is discarded.
+/// Chooses new coordinates; the last step, which is stored in the old ones, is discarded.
 void RadauIntegrator::choose_coordinates() {
     x_ = coordinates_->choose(t_, y_.data());
     x_dot_ = VectorX::Zero(x_.size());
@@ -89,8 +89,8 @@ void RadauIntegrator::choose_coordinates() {
     choose_again_ = false;
 }
 
-/// Chooses new coordinates on the way, with rows that were left out before and are independent now.
-/// @return false if those rows move the state: it never obeyed them, so its motion was free to first order
+/// Chooses new coordinates during the motion, with rows that were left out before and are independent now.
+/// @return false if those rows move the state: it never satisfied them, so its motion was free to first order
 /// only, and a mechanism does not move in this way
 bool RadauIntegrator::keeps_its_place() {
     const std::vector<double> before = y_;
@@ -270,7 +270,7 @@ void RadauIntegrator::accept(double h, double t) {
 bool RadauIntegrator::try_otherwise(double h, const NewtonEnd& newton, Trial& trial) {
     ++counts_.rejected;
     if (newton.is_near_singular() && !newton.converged && !trial.without_slope) {
-        // slopes of accelerations grow beyond bounds at one point and say nothing about the step
+        // slopes of accelerations are unbounded at the singular position and do not describe the step
         trial.without_slope = true;
         reduced_.setZero();
         factored_step_ = 0.0;
@@ -282,7 +282,7 @@ bool RadauIntegrator::try_otherwise(double h, const NewtonEnd& newton, Trial& tr
         h_ = kDodge * h;
         return true;
     }
-    // approaching it in small steps does not lead past it: accelerations are rounding there
+    // small steps towards the singular position do not lead past it: accelerations there are rounding errors
     if (newton.is_near_singular() && h < kGivesUp * regular_step_) { return false; }
     if (trial.renewed) { h_ = 0.5 * h; }
     // a step that did not converge now would not converge in the next steps either
@@ -337,7 +337,7 @@ bool RadauIntegrator::step(double t_end) {
         const double error = fixed ? 0.0 : error_of(h, trial.doubtful);
         const double growth = growth_after(error, newton.iterations);
         const bool singular = newton.is_near_singular();
-        // the estimate of a step through a singular position sees rounding, not the motion
+        // the error estimate of a step through a singular position is rounding, not an error of the motion
         const bool through = newton.pivot_left < kThrough;
         const double most_error =
             std::max(kMostRoundingThrough, 30.0 * rounding_through(h, newton.pivot_left));

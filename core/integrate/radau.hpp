@@ -20,8 +20,8 @@ struct RadauTable {
 /// @param stages 3 for order 5 or 5 for order 9
 RadauTable radau_table(int stages);
 
-/// Radau integrator: collocation in reduced coordinates x with s times as many unknowns as these, for any
-/// number of bodies.
+/// Radau integrator: collocation in reduced coordinates x. The unknowns are s times as many as these
+/// coordinates, for any number of bodies.
 class RadauIntegrator final : public TimeStepper {
 public:
     /// `equations` must outlive this; `y` is projected first.
@@ -38,7 +38,7 @@ public:
         const auto end = y_stages_.rightCols(1);
         return {tried_, {end.data(), end.data() + end.size()}};
     }
-    /// Evaluates the collocation polynomial in the reduced coordinates; all others follow from the
+    /// Evaluates the collocation polynomial in the reduced coordinates; all other numbers follow from the
     /// constraints.
     bool interpolate(double t, double* y) override;
     bool has_polynomial() const override { return last_step_ > 0.0; }
@@ -95,7 +95,7 @@ private:
     double most_turn() const;
     /// Norm of a change of x, relative to the tolerance.
     double norm(const VectorX& change) const;
-    /// Weights of the start and the stages of the last step at its point `tau`, from 0 to 1 within it.
+    /// Weights of the start and the stages of the last step at relative time `tau`, 0 to 1 within the step.
     VectorX weights(double tau) const;
 
     MotionEquations* equations_;
@@ -107,7 +107,7 @@ private:
     double h_ = 0.0;      ///< step to try next [s]
     double tried_ = 0.0;  ///< end of the last attempt [s]
     double left_out_asked_ = kAskedFrom;
-    bool choose_again_ = false;  ///< whether other coordinates are due
+    bool choose_again_ = false;  ///< whether other coordinates must be chosen
     double regular_step_ = 0.0;  ///< last step away from singular positions [s]
     std::vector<double> y_;
     std::vector<double> y_dot_;

@@ -8,7 +8,7 @@
 /// Tableaux of explicit Runge-Kutta methods.
 namespace jw {
 
-/// y_new = y + h Σ b_s k_s,  k_s = f(t + c_s h, y + h Σ a_sm k_m).
+/// Tableau of y_new = y + h Σ b_s k_s,  k_s = f(t + c_s h, y + h Σ a_sm k_m).
 struct RungeKuttaTable {
     static constexpr int kMostStages = 12;
     using Row = std::array<double, kMostStages>;

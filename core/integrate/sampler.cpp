@@ -42,7 +42,7 @@ void Sampler::take(TimeStepper& stepper) {
     }
     node.known.resize(equations_->interpolated(), 3);
     equations_->derivatives(stepper.y().data(), stepper.y_dot().data(), node.known.data());
-    // one step behind: the polynomial is most accurate between the two middle nodes
+    // samples are one step late: the polynomial is most accurate between the two middle nodes
     if (known_ == kNodes) { give_until(nodes_[2].t); }
 }
 

@@ -15,15 +15,15 @@
 namespace jw {
 
 /// Samples of a trajectory. They are taken from polynomials of degree 11 through four ends of steps, where
-/// positions and their two derivatives are known, so that no evaluation is needed; the error, (step)¹², is
-/// below that of the methods. Between steps that had to become short at once, the polynomial goes through the
-/// two adjacent ends only, where the farther ones would bend it. Methods with a polynomial of their own
+/// positions and their first two derivatives are known, so that no evaluation is needed; the error, (step)¹²,
+/// is below that of the methods. Where steps differ much in length, the polynomial goes through
+/// only the two adjacent ends if the farther ones would distort it. Methods with a polynomial of their own
 /// (implicit ones, whose accelerations are less exact than their positions) provide it instead.
 ///
-/// A polynomial does not satisfy the constraints. Every state is checked: one that misses them by more than
-/// the tolerance is projected onto them or, if that is not a small change, integrated from the end of the
-/// previous step. If the result still does not belong to this motion, neither it nor any later state is given
-/// out.
+/// A polynomial does not satisfy the constraints. Every state is checked: a state that misses them by more
+/// than the tolerance is projected onto them or, if that is not a small change, integrated from the end of
+/// the previous step. If the result still does not belong to this motion, neither it nor any later state is
+/// given out.
 class Sampler {
 public:
     using Receive = std::function<void(double t, const std::vector<double>& y)>;

@@ -58,11 +58,11 @@ bool joints_may_pay(const SimulationSettings& settings, bool masses_are_apart) {
     return entry_of(settings.method).adaptive && !drifts(settings.treatment) && !masses_are_apart;
 }
 
-/// Largest number of loop rows in joint coordinates: choosing them compares each with all others, in time and
-/// memory.
+/// Largest number of loop rows in joint coordinates: their choice compares each row with all others, which
+/// takes time and memory.
 constexpr int kMostLoopRows = 1000;
-/// Products per body beyond which the loop rows in joint coordinates cost more than everything in those of
-/// the bodies (7 to 10 thousand instructions a body, about three per product).
+/// Products per body beyond which the loop rows in joint coordinates cost more than a whole evaluation in
+/// coordinates of the bodies (7 to 10 thousand instructions a body, about three per product).
 constexpr double kMostProducts = 2500.0;
 
 /// Relative error of accelerations in joint coordinates that is always accepted: rounding times a condition
@@ -114,8 +114,9 @@ void Simulation::take_joints() {
     if (wanted || (pays() && keeps_digits(*tree))) { other_ = std::move(tree); }
 }
 
-/// Articulated inertias add those of heavy bodies to those of the light ones that carry them, and digits are
-/// lost; the block equations keep both apart. Compared at the start, where both know the rows.
+/// True if accelerations agree with those of the block equations at the start, where both know the rows.
+/// Articulated inertias add those of heavy bodies to those of the light ones that carry them, which loses
+/// digits; the block equations keep both apart.
 bool Simulation::keeps_digits(TreeEquations& tree) {
     std::vector<double> y(at(tree.size()));
     std::vector<double> y_dot(y.size());
@@ -129,7 +130,7 @@ bool Simulation::keeps_digits(TreeEquations& tree) {
     block_->evaluate(0.0, start_.data(), flat_dot.data());
     const double per_extent = 1.0 / extent(scene_.mechanism);
     double off = 0.0;
-    // in equilibrium, accelerations are rounding of what gravity would cause
+    // in equilibrium, accelerations are rounding errors of those that gravity would cause
     double size = per_extent * scene_.loads.gravity.norm();
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         const double* six = body_numbers(flat_dot.data(), m) + 7;

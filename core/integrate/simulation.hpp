@@ -28,7 +28,7 @@ struct Snapshot {
     double position_violation = 0.0;  ///< largest |Φ|, divided by the size of its equation
     double velocity_violation = 0.0;  ///< largest |Φq q̇ - ν| likewise [1/s]
     double p_drift = 0.0;             ///< largest ||p| - 1|
-    std::vector<int> turns;           ///< of every joint; empty unless they are followed, see follow_angles
+    std::vector<int> turns;           ///< turns of every joint; empty unless followed, see follow_angles
 };
 
 /// Reason why a simulation ended early.
@@ -44,8 +44,8 @@ struct SimulationFailure {
     };
     Cause cause = Cause::step_too_small;
     double t = 0.0;
-    /// For the first three causes: the joint or driver with the largest residual; empty if it is that of the
-    /// forces. For turns_lost: the joint of the spring.
+    /// For the first three causes: the joint or driver with the largest residual; empty if the forces have
+    /// the largest one. For turns_lost: the joint of the spring.
     std::string equation_of;
     double violation = 0.0;  ///< for the first three causes: the residual divided by the size of the equation
     double turn = 0.0;       ///< for turns_lost: by how much the spring turns within the step [rad]
@@ -90,12 +90,12 @@ public:
     Simulation& operator=(const Simulation&) = delete;
 
     /// Integrates from the start to the last of `times` (ascending, from 0 on) and passes the state at every
-    /// time to `receive`, in order. Passes none if the equations contradict each other at the start.
+    /// time to `receive`, in order. Passes no state if the equations contradict each other at the start.
     /// @param watch called every kStepsBetweenLooks steps
     [[nodiscard]] SimulationOutcome run(
         const std::vector<double>& times, const Sampler::Receive& receive, const RunWatch& watch = {});
 
-    /// Follows the angles of joints from the next run on, for snapshots of it.
+    /// Follows the angles of joints from the next run on, for its snapshots.
     void follow_angles() { angles_ = std::make_unique<FollowedAngles>(scene_.mechanism); }
     /// State, energies and violations at time t [s].
     /// @param y flat state, as passed to `receive`
@@ -131,7 +131,7 @@ private:
     bool counts_turns() const;
     /// Counts the turns of rotational springs at a flat state that the motion has reached.
     void count_turns_at(const std::vector<double>& y);
-    /// Whether a fixed step from a flat state would lose turns of rotational springs.
+    /// Failure if a fixed step from a flat state would lose turns of rotational springs; otherwise none.
     std::optional<SimulationFailure> failure_of_turns(double t, const std::vector<double>& y) const;
     /// Follows the angles of joints to the state of the stepper, if they were requested.
     void follow_angles_to(const TimeStepper& stepper);
@@ -202,7 +202,7 @@ private:
     double end_ = 0.0;                    ///< [s]
     double proved_until_ = 0.0;           ///< [s]
     std::vector<double> proved_;          ///< state at that time, in coordinates of the joints; else unused
-    IntegrationCounts counts_in_joints_;  ///< counts of a run that has left them
+    IntegrationCounts counts_in_joints_;  ///< counts of the part in joint coordinates
     std::vector<TimeEvent> events_;       ///< times ahead at which steps end, the next one last
     std::unique_ptr<TimeStepper> stepper_;
     std::unique_ptr<Sampler> sampler_;

@@ -13,8 +13,8 @@ namespace jw {
 
 namespace {
 
-/// Largest misfit, in sizes of the scene, of a pose that is out of reach. Behind a fast driver it is a few
-/// sizes; if it is larger, the numbers are not a pose.
+/// Largest misfit, in sizes of the scene, of a pose that is out of reach. Behind a fast driver the misfit is
+/// a few sizes; if it is larger, the numbers are not a pose.
 constexpr double kBlewUp = 10.0;
 
 /// Name of the joint or driver of a row.
@@ -55,9 +55,9 @@ void Simulation::look_for_contradiction(const std::vector<double>& as_given) {
     contradiction_ = worst_equation(SimulationFailure::Cause::contradiction, Off::value, 0.0, start_);
 }
 
-/// Two drivers may begin at the same place and lead to different ones.
+/// Two drivers may prescribe the same start but different rates.
 void Simulation::look_for_contradicting_rates() {
-    constexpr double typed = 1e-4;  // seven typed digits at least, and some lost on the way
+    constexpr double typed = 1e-4;  // at least seven typed digits, of which some are lost in computing
     double fastest = 0.0;
     const double length = extent(scene_.mechanism);
     for (std::size_t m = 0; m < moving_.size(); ++m) {
@@ -103,7 +103,7 @@ SimulationFailure Simulation::failure_of(const TimeStepper& stepper) const {
     return {Cause::step_too_small, stepper.t(), {}, 0.0};
 }
 
-/// Whether accelerations of the block equations satisfy all rows, those that are left out, too.
+/// True if accelerations of the block equations satisfy all rows, including those that are left out.
 bool Simulation::is_proven(double t, const std::vector<double>& y, const std::vector<double>& y_dot) {
     const double pivot = block_->smallest_pivot();
     const AccelerationResidual here = certificate_->check(*block_, *block_, t, y, y_dot);

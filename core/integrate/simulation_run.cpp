@@ -40,7 +40,7 @@ SimulationRun::SimulationRun(
 
 SimulationRun::~SimulationRun() = default;
 
-/// Begins at a state of the numbers that are integrated, and gives out its sample.
+/// Begins at a state in the coordinates that are integrated, and gives out its sample.
 void SimulationRun::begin(double t, std::vector<double> start) {
     Simulation& simulation = *simulation_;
     stepper_ = simulation.stepper(t, std::move(start), end_);

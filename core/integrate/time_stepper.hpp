@@ -39,7 +39,7 @@ struct IntegrationCounts {
 };
 
 /// Step of about `wanted` [s] from `t` that does not pass `t_end`. The remainder is divided into two equal
-/// steps if it is shorter than twice that, so that no step is tiny.
+/// steps if it is shorter than 2 `wanted`, so that no step is tiny.
 struct StepAhead {
     StepAhead(double t, double t_end, double wanted);
 
@@ -62,7 +62,7 @@ public:
     double difference(const double* y, const double* other) const;
     /// Largest difference between the poses of two states, each number divided by its scale.
     double way(const double* y, const double* other) const;
-    /// Length of the first step [s]: a share of the time in which something moves by its scale.
+    /// Length of the first step [s]: a share of the time in which a number changes by its scale.
     double first_step(const std::vector<double>& y_dot, double tolerance, int order) const;
 
 private:
@@ -81,7 +81,7 @@ private:
 /// @param flat workspace for the flat state
 double fastest_turn(const StateLayout& equations, const double* y, std::vector<double>& flat);
 
-/// Integrator. After every step t, y and ẏ are those of a state on the constraints.
+/// Integrator. After every step t, y and ẏ are those of one state, on the constraints if `project` is set.
 class TimeStepper {
 public:
     TimeStepper() = default;
@@ -105,7 +105,7 @@ public:
     /// Computes y within the last step from that polynomial, on the constraints. @return false if the result
     /// does not belong to this motion
     virtual bool interpolate(double /*t*/, double* /*y*/) { return false; }
-    /// Computes y at `t` by one step from an earlier state of this motion, less than a step before; the
+    /// Computes y at `t` by one step from a state of this motion that is less than a step earlier; the
     /// integrator itself does not move. @return false if there is no such step
     virtual bool reach(double /*t_from*/, const std::vector<double>& /*from*/, double /*t*/, double* /*y*/) {
         return false;

@@ -2,7 +2,7 @@
 
 #include "core/jets/coordinates.hpp"
 
-/// A body in the form that the equations need, from its pose and its motion.
+/// Kinematics of a body in the form that the equations need, from its pose and its motion.
 namespace jw {
 
 /// Kinematics of a body at a pose; its motion is not set.
@@ -24,12 +24,12 @@ BodyKinematics<C> kinematics_at(const Vec3& r, const Vec4& p, const Vec3& r_dot,
     return body;
 }
 
-/// The angular numbers of a choice: ω', ω or ṗ.
+/// Angular velocity in the coordinates of a choice: ω', ω or ṗ.
 template <class C>
 using Angular = Eigen::Matrix<double, C::kAngular, 1>;
 
-/// Sets the motion from ω' at p, which need not be a unit quaternion: at stages of an integrator it is not.
-/// ω̇', ω̇ and p̈ (without its part along p) follow in the same way (slide 13).
+/// Converts ω' to the coordinates of the choice. p need not be a unit quaternion: at stages of an integrator
+/// it is not. ω̇' is converted to ω̇ or p̈ (without its part along p) in the same way (slide 13).
 template <class C>
 Angular<C> angular_of(const Vec4& p, const Vec3& omega_local) {
     if constexpr (C::kNormalised) {

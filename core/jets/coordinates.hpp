@@ -13,9 +13,9 @@
 /// | omega local               | r, ω' (6) | G Lᵀ | -A s̃'                 | ω x (ω x A s')             |
 /// | omega global              | r, ω (6)  | G Lᵀ | -(A s')~              | ω x (ω x A s')             |
 ///
-/// The functions of the choices are templates, so code that only names a choice compiles nothing of it.
+/// The functions of the choices are templates, so code that only names a choice does not compile them.
 ///
-/// @source tables of pp. 201, 203 and 299 (slides 20-22) in the right forms of docs/notation.md
+/// @source tables of pp. 201, 203 and 299 (slides 20-22), corrected as in docs/notation.md
 namespace jw {
 
 enum class CoordinateChoice { true_euler_parameters, modified_euler_parameters, omega_local, omega_global };
@@ -34,7 +34,7 @@ struct BodyKinematics {
     Vec4 p_bias = Vec4::Zero();  ///< p̈ with zero accelerations of the choice
 };
 
-/// Value of a screw's θ and its rate; all primitives but those of screws ignore them.
+/// Artificial coordinate θ and its rate; primitives without an artificial coordinate ignore them.
 struct Theta {
     double value = 0.0;
     double rate = 0.0;
@@ -48,12 +48,12 @@ struct ThetaOfChoice {
 template <class C>
 using ThetaOf = typename ThetaOfChoice<C>::Type;
 
-/// Shared by the two (r, p) choices: seven columns and a row pᵀp = 1 for every moving body.
+/// Base of the two (r, p) choices: seven columns and a row pᵀp = 1 for every moving body.
 struct EulerParameterColumns {
     static constexpr int kAngular = 4;
     static constexpr bool kNormalised = true;
 
-    /// Columns of e_k for one body.
+    /// Row of the derivatives of e_k by the angular coordinates of one body.
     static Eigen::Matrix<double, 1, 4> parameter_block(const auto& /*p*/, int k) {
         return Eigen::Matrix<double, 1, 4>::Unit(k);
     }
@@ -89,7 +89,7 @@ struct ModifiedEulerParameters : EulerParameterColumns {
     }
 };
 
-/// Shared by the two ω choices: six columns, no normalisation row.
+/// Base of the two ω choices: six columns, no normalisation row.
 struct OmegaColumns {
     static constexpr int kAngular = 3;
     static constexpr bool kNormalised = false;
@@ -129,7 +129,7 @@ struct OmegaGlobal : OmegaColumns {
 template <class C>
 inline constexpr int kColumnsPerBody = 3 + C::kAngular;
 
-/// Calls `f` with a value of the choice's type: the one place where run time becomes compile time.
+/// Calls `f` with an object of the choice's type: the only place where a value at run time becomes a type.
 template <class F>
 decltype(auto) with_choice(CoordinateChoice choice, F&& f) {
     switch (choice) {

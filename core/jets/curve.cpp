@@ -13,9 +13,9 @@ namespace jw {
 namespace {
 
 constexpr double kWholeTurn = 2.0 * std::numbers::pi;
-// a turn of the highest harmonic is seen by as many points
+// sample points per period of the highest harmonic
 constexpr int kPointsPerWave = 32;
-// longest step of Newton's method, in waves of the highest harmonic
+// longest step of Newton's method, in periods of the highest harmonic
 constexpr double kLongestStep = 0.1;
 constexpr int kMostSteps = 60;
 
@@ -44,12 +44,12 @@ double Curve::nearest(const Vec3& point, double guess) const {
         const Vec3 off = p.c - point;
         const double slope = p.c_u.dot(off);
         const double full = p.c_u.squaredNorm();
-        // beyond the centre of curvature the distance has no minimum here: then only its slope counts
+        // beyond the centre of curvature the distance has no minimum here: the step only follows its slope
         const double curvature = std::max(full + p.c_uu.dot(off), 0.1 * full);
         if (!(curvature > 0.0)) { return u; }
         const double step = std::clamp(-slope / curvature, -longest, longest);
         u += step;
-        // steps of Newton's method shrink until they are rounding
+        // steps of Newton's method shrink until they consist only of rounding
         if (step == 0.0 || (std::abs(step) < 1e-9 && std::abs(step) >= 0.5 * last)) { break; }
         last = std::abs(step);
     }
@@ -59,7 +59,7 @@ double Curve::nearest(const Vec3& point, double guess) const {
 double Curve::nearest(const Vec3& point) const {
     const int waves = std::max(1, static_cast<int>(harmonics.size()));
     const int points = kPointsPerWave * waves;
-    // an open curve is searched one turn to either side of where its line passes
+    // an open curve is searched one turn to either side of the point of its line that is nearest
     const double middle = is_closed() ? 0.0 : linear.dot(point - constant) / linear.squaredNorm();
     const double half = is_closed() ? 0.5 * kWholeTurn : kWholeTurn;
     const auto place = [&](int k) { return middle + half * static_cast<double>(k) / points; };
@@ -70,7 +70,7 @@ double Curve::nearest(const Vec3& point) const {
     double here = distance(place(-points));
     for (int k = -points; k <= points; ++k) {
         const double after = k < points ? distance(place(k + 1)) : std::numeric_limits<double>::infinity();
-        // another turn may pass nearer to the point than the one whose sample is nearest
+        // every local minimum is refined: the nearest sample need not lead to the nearest point
         if (here <= before && here <= after) {
             const double u = nearest(point, place(k));
             const double found = distance(u);
@@ -106,7 +106,7 @@ Curve Curve::through(std::span<const Vec3> points) {
             h.cos += 2.0 / count * cosine * points[m];
             h.sin += 2.0 / count * sine * points[m];
         }
-        // of the highest harmonic of an even number the points tell half
+        // with an even number of points, the highest harmonic has only a cosine, and its sum counts twice
         if (2 * k == points.size()) { h = {0.5 * h.cos, Vec3::Zero()}; }
         curve.harmonics.push_back(h);
     }

@@ -35,12 +35,12 @@ struct Curve {
     double nearest(const Vec3& point, double guess) const;
     /// Parameter of the nearest point of the whole curve: in (-π, π] if it is closed.
     double nearest(const Vec3& point) const;
-    /// Parameter of a point that is followed along the curve: the nearest one from `expected` on. A point
-    /// that is farther away from there than a hundredth of a radian was not followed to here, and has that of
-    /// the whole curve.
+    /// Parameter of the point nearest to one that is followed along the curve, by Newton's method from
+    /// `expected` on. If their distance exceeds |c_u| times 0.01 rad, the point was not followed to here, and
+    /// the whole curve is searched.
     double followed(const Vec3& point, double expected) const;
 
-    /// The closed curve of least harmonics through points that are evenly spread over u, from u = 0 on.
+    /// Closed curve with the fewest harmonics through points that are evenly spaced in u, from u = 0 on.
     /// @throws std::invalid_argument for fewer than three points
     static Curve through(std::span<const Vec3> points);
 

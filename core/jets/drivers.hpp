@@ -36,7 +36,7 @@ struct CoordinateMeasure {
     int coordinate = 0;
 };
 
-/// The artificial coordinate θ of a screw, turns included [rad].
+/// Artificial coordinate θ of a joint, turns included [rad].
 struct ThetaMeasure {};
 
 using Measure =

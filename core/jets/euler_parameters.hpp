@@ -3,7 +3,7 @@
 #include "core/numerics/linear.hpp"
 
 /// Euler parameters p = (e0, e1, e2, e3) = (cos φ/2, u sin φ/2) and every conversion of slide 13 in its
-/// right form (docs/notation.md lists the printed ones that are wrong).
+/// correct form (docs/notation.md lists those that are printed wrongly).
 namespace jw {
 
 /// G = [-e, ẽ + e0 I], 3x4; ω = 2 G ṗ.
@@ -29,7 +29,7 @@ inline Mat34 L_of(const Vec4& p) {
 }
 
 /// A_N = (2 e0² - 1) I + 2 (e eᵀ + e0 ẽ): the matrix of slide 24. Orthogonal only for unit p;
-/// p is used unchanged, never normalised here, so that derivatives with respect to p stay true.
+/// p is used unchanged, never normalised here, so that derivatives with respect to p stay correct.
 Mat3 rotation_matrix(const Vec4& p);
 
 /// A_H = G Lᵀ = |p|² R: equal to A_N on the unit sphere, a scaled rotation everywhere.
@@ -62,7 +62,7 @@ Vec4 euler_parameters_of(const Vec3& axis, double angle);
 /// opposite, a half turn about some axis perpendicular to both.
 Vec4 euler_parameters_between(const Vec3& from, const Vec3& to);
 
-/// Quaternion product a b: first turn by b, then by a (both in the frame that a lives in).
+/// Quaternion product a b: first turn by b, then by a (both in the frame in which a is given).
 inline Vec4 product(const Vec4& a, const Vec4& b) {
     const Vec3 a_e = a.tail<3>();
     const Vec3 b_e = b.tail<3>();
@@ -77,7 +77,7 @@ Vec4 turned_local(const Vec4& p, const Vec3& turn_local);
 /// p of a body turned further by the rotation vector `turn` [rad, global frame].
 Vec4 turned_global(const Vec4& p, const Vec3& turn);
 
-/// Shortest rotation vector [rad, body frame of `from`] with turned_local(from, v) equal to `to` up to sign.
+/// Shortest rotation vector v [rad, body frame of `from`] for which turned_local(from, v) is `to` or -`to`.
 Vec3 turn_local_between(const Vec4& from, const Vec4& to);
 
 Vec4 p_dot_of_omega_global(const Vec4& p, const Vec3& omega_global);  ///< ṗ = 1/2 Gᵀ ω

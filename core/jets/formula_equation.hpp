@@ -11,7 +11,7 @@
 /// A constraint that an author writes as a formula of the vectors between two bodies.
 namespace jw {
 
-/// Vectors of a formula, all global. Its variable 3 k + c is component c of vector k.
+/// Vectors in a formula, all in the global frame. Variable 3 k + c of a formula is component c of vector k.
 enum class FormulaVector {
     s_i,
     s_j,
@@ -36,22 +36,22 @@ constexpr int variable_of(FormulaVector vector, int component) {
     return 3 * static_cast<int>(vector) + component;
 }
 
-/// Equation of an author.
+/// Equation that an author writes.
 ///
 ///   Φ = f(s_i, s_j, u_i, u_j, d, r_i, r_j, A_i, A_j)                            (1 equation)
 ///
 /// Its derivatives follow from the rules of jets, step by step. Singular where f has no derivative.
 struct FormulaEquation {
     static constexpr int kEquations = 1;
-    ScalarFormula formula;  ///< of the components of FormulaVector
+    ScalarFormula formula;  ///< its variables are the components of FormulaVector
     Vec3 s_i_local = Vec3::UnitZ();
     Vec3 s_j_local = Vec3::UnitZ();
     Vec3 u_i_local = Vec3::UnitX();
     Vec3 u_j_local = Vec3::UnitX();
     Vec3 P_i_local = Vec3::Zero();  ///< [m]
     Vec3 P_j_local = Vec3::Zero();  ///< [m]
-    Vec3 O_i_local = Vec3::Zero();  ///< point of r_i [m]
-    Vec3 O_j_local = Vec3::Zero();  ///< point of r_j [m]
+    Vec3 O_i_local = Vec3::Zero();  ///< point with position r_i [m]
+    Vec3 O_j_local = Vec3::Zero();  ///< point with position r_j [m]
     double by_length = 0.0;         ///< size of its gradient by positions [1/m], which a system sets
     double by_turn = 1.0;           ///< by turns of the bodies
 
@@ -162,7 +162,7 @@ auto equations(
         if (!c.formula.uses_any(first, first + 3)) { continue; }
         detail::visit_vector<K>(static_cast<FormulaVector>(k), c, i, j, [&](const auto& w) {
             for (int n = 0; n < 3; ++n) {
-                // the difference has the blocks of both bodies
+                // the difference from 0 has the blocks of both bodies
                 variables[static_cast<std::size_t>(first + n)].jet =
                     component(w, n) - Number::constant(0.0).jet;
             }
@@ -171,8 +171,8 @@ auto equations(
     return formula_steps::evaluated<Number>(c.formula.steps, variables).jet;
 }
 
-/// Bound of the rounding of Φ: each step rounds by an epsilon of the terms of which it is made. These can be
-/// far larger than what the derivatives of Φ show, as in (10⁹ + d_x) - 10⁹.
+/// Bound of the rounding error of Φ: each step rounds by an epsilon times the size of its terms. The terms
+/// can be far larger than the derivatives of Φ suggest, as in (10⁹ + d_x) - 10⁹.
 template <class C>
 double rounding(const FormulaEquation& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j) {
     std::array<double, 3 * kFormulaVectors> values{};

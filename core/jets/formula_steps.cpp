@@ -24,9 +24,9 @@ int operands_of(FormulaStep::Kind kind) {
 namespace {
 
 constexpr std::size_t kMostVariables = 2;
-// of x: poses are known to less
+// relative to x: errors of poses are smaller
 constexpr double kBeside = 1e-9;
-// of an integral; a kink is found to 2^-40 of the way
+// relative error of an integral; a kink is located to 2^-40 of the range
 constexpr double kAccuracy = 1e-12;
 constexpr int kDeepestHalving = 40;
 // some milliseconds; a law that needs more is taken to have no integral
@@ -45,7 +45,7 @@ double value_at(const ScalarFormula& formula, double x) {
     return at_rest(formula, Taylor<double, 1>::constant(x)).c[0];
 }
 
-/// Size of the terms of a result, from its value and those of its operands.
+/// Size of the terms of a result, from its value, its first operand and the sizes of the operands.
 double size_of(const FormulaStep& step, double value, double a, double size_a, double size_b) {
     using Kind = FormulaStep::Kind;
     switch (step.kind) {
@@ -63,14 +63,14 @@ double size_of(const FormulaStep& step, double value, double a, double size_a, d
         const double slope = formula_steps::result_of(step, Taylor<double, 2>::variable(a)).c[1];
         return std::max(std::abs(value), std::abs(slope) * size_a);
     }
-    // the same share of the value as of the operand
+    // the ratio of size to value is that of the operand, but at least 1
     return a != 0.0 ? std::abs(value) * std::max(1.0, size_a / std::abs(a)) : std::abs(value);
 }
 
-/// Simpson's rule, on parts in which the fourth derivative bounds its error by h^5 / 2880 times that.
+/// Simpson's rule on parts of length h: its error is at most h^5 / 2880 times the fourth derivative.
 class Quadrature {
 public:
-    /// @param most  error of the whole integral per unit of x
+    /// @param most  largest error of the integral per unit of x
     Quadrature(const ScalarFormula& formula, double most) : formula_(&formula), most_(most) {}
 
     double over(double from, double to, int depth) {

@@ -7,11 +7,11 @@
 /// A formula of a few variables that an author writes, as a program.
 namespace jw {
 
-/// Step of a formula, for a stack of numbers: it takes its operands from the top and leaves its result there.
+/// Step of a formula, for a stack of numbers: it pops its operands and pushes its result.
 struct FormulaStep {
     enum class Kind {
-        number,    ///< leaves `number`
-        variable,  ///< leaves the variable with the index `number`
+        number,    ///< pushes `number`
+        variable,  ///< pushes the variable with the index `number`
         sum,
         difference,
         product,
@@ -37,22 +37,22 @@ struct FormulaStep {
     bool operator==(const FormulaStep&) const = default;
 };
 
-/// A formula in the notation of docs/mathematics.md, and its steps in the order in which they are done; the
-/// last one leaves one number.
+/// Formula in the notation of docs/mathematics.md, and its steps in the order of evaluation; after the last
+/// one, the stack holds one number.
 struct ScalarFormula {
-    /// Numbers on the stack at once.
+    /// Most numbers on the stack at once.
     static constexpr std::size_t kDeepest = 32;
 
     std::string source;
     std::vector<FormulaStep> steps;
 
-    /// Value, not finite where the formula has none.
+    /// Value; not finite where the formula has no value.
     double at(std::span<const double> variables) const;
-    /// Size of the terms of which the value is made: its rounding is relative to it.
+    /// Size of the terms that make up the value: the rounding error of the value is relative to this size.
     double size_at(std::span<const double> variables) const;
-    /// True if a step takes the variable with this index.
+    /// True if a step pushes the variable with this index.
     bool uses(int variable) const { return uses_any(variable, variable + 1); }
-    /// True if a step takes a variable with an index from `first` to before `last`.
+    /// True if a step pushes a variable whose index is at least `first` and below `last`.
     bool uses_any(int first, int last) const;
 
     /// Value and first derivatives of a formula of x and its rate, at rate 0.
@@ -62,9 +62,9 @@ struct ScalarFormula {
         double by_rate = 0.0;
     };
     Slopes slopes_at(double x) const;
-    /// True if the slope by x is proved to exist at x and so near to it that rounding hides the difference.
+    /// True if the slope by x is proved to exist at x and at all points that differ from x only by rounding.
     bool is_smooth_at(double x) const;
-    /// Integral over x at rate 0; NaN if there is no value between both, or too many parts are needed.
+    /// Integral over x at rate 0; NaN if a value in between does not exist, or if too many parts are needed.
     double integral(double from, double to) const;
 
     bool operator==(const ScalarFormula&) const = default;

@@ -8,7 +8,7 @@
 #include "core/elementary/elementary.hpp"
 
 /// Interval arithmetic: every result contains the results for all numbers of its operands. Ends are moved
-/// outwards by more than rounding, so no rounding mode is changed.
+/// outwards by more than the rounding error, so that the rounding mode need not be changed.
 namespace jw {
 
 struct Interval {
@@ -19,7 +19,7 @@ struct Interval {
     Interval(double number) : low(number), high(number) {}  // NOLINT: a number is an interval
     Interval(double from, double to) : low(from), high(to) {}
 
-    /// All numbers: the result where a function has no value for some of its operand.
+    /// All numbers: the result where a function has no value for part of its operand.
     static Interval all() {
         return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     }
@@ -33,7 +33,7 @@ namespace detail {
 
 /// The interval between two computed ends, each of which may be wrong by some units in the last place.
 inline Interval outwards(double low, double high) {
-    // elementary functions have 0.52 units, operations half a unit
+    // the error of elementary functions is at most 0.52 units, that of operations half a unit
     constexpr double ulps = 2.0 * std::numeric_limits<double>::epsilon();
     constexpr double least = std::numeric_limits<double>::min();
     const Interval out(low - ulps * std::abs(low) - least, high + ulps * std::abs(high) + least);

@@ -14,14 +14,14 @@
 ///
 /// A region is all poses with |r - r_0| ≤ reach_r and |p - p_0| ≤ reach_p for each body. Content `jacobian`
 /// bounds first and second derivatives there, and `motion` the derivatives along a path within it. All
-/// operations are sums and products of numbers that are not negative, so that rounding is a share of the
-/// result; it is allowed for once, where bounds are compared.
+/// operations are sums and products of numbers that are not negative, so the rounding error is proportional
+/// to the result; it is allowed for only once, where bounds are compared.
 namespace jw {
 
 struct Majorants {};
 
-/// Blocks of coordinates that an equation between two bodies depends on; θ is the artificial coordinate, or
-/// the target of a driver.
+/// Blocks of coordinates that an equation between two bodies depends on; kArtificial is the artificial
+/// coordinate θ, or the target of a driver.
 enum Block : std::size_t { kR_i, kP_i, kR_j, kP_j, kArtificial };
 inline constexpr std::size_t kBlocks = 5;
 
@@ -123,7 +123,7 @@ inline TaylorSeries of_bounded_function(const TaylorSeries& x) {
     return out;
 }
 
-/// Bounds of f(x) for a function whose first and second derivatives have these bounds.
+/// Bounds of f(x), given bounds of the first and second derivative of f.
 inline DerivativeBounds chain(const DerivativeBounds& x, double first, double second) {
     DerivativeBounds out;
     for (std::size_t c = 0; c < kBlocks; ++c) {
@@ -154,13 +154,13 @@ B stacked(B top, const B& bottom) {
     return top;
 }
 
-/// Sets the size of a jet whose value and deviation are known; `most` is another bound of it.
+/// Sets the size of a jet whose value and deviation are known; `most` is another bound of the size.
 template <class J>
 void set_size(J& jet, double most) {
     jet.size = std::min(jet.value.norm() + jet.away, most);
 }
 
-/// Takes all bounds away: no comparison with a number that is not finite proves anything.
+/// Sets all bounds to infinity: a comparison with an infinite bound proves nothing.
 template <class J>
 void set_unbounded(J& jet) {
     jet.away = jet.size = HUGE_VAL;
@@ -255,8 +255,8 @@ void set_constant(Jet<Majorants, K, 1, S>& out, double x) {
     detail::set_size(out, HUGE_VAL);
 }
 
-/// Function of one operand: its derivatives between the bounds of the operand, and the chain rule. Where they
-/// have no bound, nothing has one.
+/// Function of one operand, by the chain rule and the derivatives between the bounds of the operand. If one
+/// of these is not bounded, the result has no bounds.
 template <Content K, unsigned S>
 Jet<Majorants, K, 1, S> applied(const FormulaStep& step, const Jet<Majorants, K, 1, S>& x) {
     const double middle = x.value(0);

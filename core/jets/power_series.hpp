@@ -10,8 +10,8 @@
 /// choice (r, p with A = G Lᵀ), and a primitive is expanded by its own line in primitives.hpp.
 namespace jw {
 
-/// Coefficients 0 to 8. Watt's linkage leaves its line at the fifth order; a linkage that begins to leave it
-/// beyond the eighth order has left it by only 1e-7 within a fifth of a radian.
+/// Coefficients 0 to 8. Watt's linkage leaves its line at the fifth order. A linkage that leaves its line
+/// only beyond the eighth order is off by only 1e-7 within a fifth of a radian.
 inline constexpr int kOrders = 9;
 
 struct PowerSeries {};
@@ -41,7 +41,7 @@ struct Jet<PowerSeries, K, Dim, S> {
 
     Vector value = Vector::Zero();                    ///< coefficient 0
     Coefficients<Dim> w = Coefficients<Dim>::Zero();  ///< the others; column 0 is not used
-    Coefficients<1> size = Coefficients<1>::Zero();   ///< sums of the sizes of the terms of each
+    Coefficients<1> size = Coefficients<1>::Zero();   ///< of each coefficient: sum of the sizes of its terms
 
     Vector coefficient(int k) const { return k == 0 ? value : Vector(w.col(k)); }
 };
@@ -77,7 +77,7 @@ void multiply(Out& out, const A& a, const B& b, F&& product) {
     }
 }
 
-/// Part of the map from p to A s' that is linear in each of two quaternions.
+/// Symmetric bilinear form of two quaternions p and q that equals A s' for q = p.
 inline Vec3 polarised(const Vec4& p, const Vec4& q, const Vec3& s) {
     const Vec3 e = p.tail<3>();
     const Vec3 f = q.tail<3>();

@@ -66,7 +66,7 @@ struct Taylor {
 /// compared coefficient by coefficient.
 namespace taylor {
 
-// of numbers, as `Interval` has them of intervals
+// functions of numbers, like those of intervals in interval.hpp
 inline double exp(double x) { return elementary::exp(x); }
 inline double log(double x) { return elementary::log(x); }
 inline double sqrt(double x) { return std::sqrt(x); }
@@ -154,7 +154,7 @@ Taylor<S, N> arc_cosine(const Taylor<S, N>& a) {
     return integral(a, -square_root(Taylor<S, N>::constant(1.0) - a * a), acos(a.c[0]));
 }
 
-/// Absolute value; no rate where the argument may change its sign.
+/// Absolute value; its derivatives have no bound where the argument may change its sign.
 template <std::size_t N>
 Taylor<Interval, N> absolute(const Taylor<Interval, N>& a) {
     if (a.c[0].low > 0.0) { return a; }
@@ -164,13 +164,13 @@ Taylor<Interval, N> absolute(const Taylor<Interval, N>& a) {
     if (a.c[0].is_bounded()) { out.c[0] = {0.0, a.c[0].magnitude()}; }
     return out;
 }
-/// Absolute value; at 0, with the rate of the right side.
+/// Absolute value; at 0, with the derivative from the right.
 template <std::size_t N>
 Taylor<double, N> absolute(const Taylor<double, N>& a) {
     return a.c[0] < 0.0 ? -a : a;
 }
 
-/// Power b: repeated products for a whole exponent from 0 on; otherwise from a b' = n a' b.
+/// Power b: repeated products, or their reciprocal, for an integer n; otherwise from a b' = n a' b.
 template <class S, std::size_t N>
 Taylor<S, N> power(const Taylor<S, N>& a, double n) {
     if (n == std::floor(n) && n >= 0.0) {
@@ -181,7 +181,7 @@ Taylor<S, N> power(const Taylor<S, N>& a, double n) {
             if (left > 1) { square = square * square; }
         }
         if constexpr (std::is_same_v<S, Interval>) {
-            // a product does not know that both factors are the same number
+            // the product of intervals does not use that both factors are the same number
             const bool is_even = std::fmod(n, 2.0) == 0.0;
             if (is_even && out.c[0].low < 0.0) { out.c[0].low = 0.0; }
         }

@@ -9,9 +9,9 @@ namespace jw {
 
 namespace {
 
-// parts of an interval that are looked at before a proof is given up: a second or two
+// parts of an interval that are examined before a proof is given up: a second or two
 constexpr int kMostParts = 200000;
-// shortest part that is looked at, of the interval; also the shortest swing that a method is shown
+// shortest part that is examined, and shortest swing that is looked for, relative to the interval
 constexpr double kShortestPart = 1e-9;
 constexpr double kShortestSwing = 1e-5;
 constexpr int kSamples = 200;
@@ -31,7 +31,7 @@ Interval between(double a, double b) { return {std::min(a, b), std::max(a, b)}; 
 
 double middle_of(const Interval& part) { return 0.5 * (part.low + part.high); }
 
-/// Calls `is_done` with parts of an interval in their order, each halved until it is true.
+/// Calls `is_done` with parts of an interval in ascending order; halves each part until it returns true.
 template <class F>
 void look_at_parts(const Interval& whole, F&& is_done) {
     std::vector<Interval> open{whole};
@@ -81,7 +81,7 @@ void TimeFormula::append_swings(double from, double to, std::vector<double>& tim
         high = std::max(high, value);
     }
     // a sin(ω t), of size a, has a fourth coefficient of a ω⁴ / 24, which is 4 a / h⁴ for half a period h;
-    // what is a millionth of the size of the formula is no swing, and may be rounding
+    // a variation of at most a millionth of the size of the formula is not a swing and may be rounding
     const double size = taylor_bounds(from, to)[0];
     const double most = 4.0 * 0.5 * (high - low) + kNoSwing * (std::isfinite(size) ? size : 0.0) + kNothing;
     look_at_parts({from, to}, [&](const Interval& part) {

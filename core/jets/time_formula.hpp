@@ -11,7 +11,7 @@ namespace jw {
 
 struct TimeFormula {
     ScalarFormula formula;  ///< of the time t [s], its only variable
-    double unit = 1.0;      ///< factor of its value: π/180 for a formula of degrees
+    double unit = 1.0;      ///< factor of its value: π/180 for a formula in degrees
 
     /// Taylor coefficients f, f', f'' / 2 at t; not finite where the formula has no value.
     std::array<double, 3> taylor_at(double t) const;
@@ -21,8 +21,8 @@ struct TimeFormula {
     /// A time between two others at which value, rate or acceleration do not exist or could not be bounded;
     /// nothing if they exist everywhere.
     std::optional<double> gap_between(double from, double to) const;
-    /// Appends times between which the formula is nearly a cubic: no further apart than half a period where
-    /// it swings as a sine. Equal steps of a method that meet these times do not miss what it does.
+    /// Appends times between which the formula is nearly a cubic: at most half a period apart where it swings
+    /// like a sine. An integration method whose steps end at these times does not miss a swing.
     void append_swings(double from, double to, std::vector<double>& times) const;
 
     bool operator==(const TimeFormula&) const = default;

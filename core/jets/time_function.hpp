@@ -49,7 +49,7 @@ struct TimeFunction {
     /// of a table, whose second derivative may jump as well.
     std::array<double, 5> taylor_bounds(double from, double to) const;
 
-    /// True if its second derivative jumps at times, so that methods of integration lose their order there.
+    /// True if its second derivative jumps at some times: integration methods lose their order there.
     bool acceleration_jumps() const {
         return table && table->interpolation == TimeTable::Interpolation::monotone;
     }

@@ -26,12 +26,12 @@ Numbers differences(const Numbers& of) {
 
 /// Rates m of the natural cubic spline. Equal second derivatives on both sides of time k mean
 /// m[k-1] / h[k-1] + 2 (1 / h[k-1] + 1 / h[k]) m[k] + m[k+1] / h[k] = 3 (d[k-1] / h[k-1] + d[k] / h[k]), and
-/// none at the ends 2 m[0] + m[1] = 3 d[0]: a tridiagonal system whose diagonal dominates.
+/// zero ones at the ends mean 2 m[0] + m[1] = 3 d[0]: a tridiagonal system whose diagonal dominates.
 /// @param h  time between two values [s]  @param d  mean rate between them
 Numbers smooth_rates(const Numbers& h, const Numbers& d) {
     const std::size_t last = h.size();
     Numbers m(last + 1);
-    Numbers above(last + 1);  // of the row after elimination, whose diagonal is 1
+    Numbers above(last + 1);  // entry above the diagonal after elimination; the diagonal is 1
     for (std::size_t k = 0; k <= last; ++k) {
         const double before = k > 0 ? 1.0 / h[k - 1] : 0.0;
         const double after = k < last ? 1.0 / h[k] : 0.0;
@@ -44,14 +44,14 @@ Numbers smooth_rates(const Numbers& h, const Numbers& d) {
     return m;
 }
 
-/// Rate at an end by the parabola through three values, restricted to what keeps the piece monotone.
+/// Rate at an end by the parabola through three values, limited so that the piece stays monotone.
 double monotone_end(double h, double h_next, double d, double d_next) {
     const double rate = ((2.0 * h + h_next) * d - h * d_next) / (h + h_next);
     if (rate * d <= 0.0) { return 0.0; }
     return d * d_next <= 0.0 && std::abs(rate) > 3.0 * std::abs(d) ? 3.0 * d : rate;
 }
 
-/// Rates by weighted harmonic means of the mean rates beside each time; 0 where those differ in sign.
+/// Rates: weighted harmonic means of the mean rates on both sides of each time; 0 where these differ in sign.
 /// @source Fritsch and Butland, "A method for constructing local monotone piecewise cubic interpolants"
 /// (1984)
 Numbers monotone_rates(const Numbers& h, const Numbers& d) {
@@ -70,7 +70,7 @@ Numbers monotone_rates(const Numbers& h, const Numbers& d) {
 }
 
 /// Bounds of |f^(k)| / k! of a piece up to a time: the sum of |c_n| binomial(n, k) u^(n - k) over n, with u
-/// the way from its start; the pieces before and after all times have no c_2 and c_3.
+/// the time since its start; c_2 and c_3 are 0 in the pieces before and after all times.
 std::array<double, 4> bounds_up_to(const CubicPiece& piece, double t) {
     const double u = t - piece.start;
     const double c1 = std::abs(piece.c[1]);

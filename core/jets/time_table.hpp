@@ -13,11 +13,11 @@ struct CubicPiece {
     std::array<double, 4> c{};
 };
 
-/// A function through given values, with a cubic piece between each two times; before the first and after the
-/// last time its rate is constant.
+/// Function through given values, with a cubic piece between neighbouring times; before the first and after
+/// the last time its rate is constant.
 struct TimeTable {
     enum class Interpolation {
-        smooth,    ///< natural cubic spline: two continuous derivatives; may exceed the values
+        smooth,    ///< natural cubic spline: two continuous derivatives; may overshoot the values
         monotone,  ///< never beyond the two values beside it; its second derivative jumps at the times
     };
     Interpolation interpolation = Interpolation::smooth;
@@ -25,12 +25,12 @@ struct TimeTable {
     std::vector<double> values;  ///< one per time
     std::vector<double> rates;   ///< first derivative at each time, which the interpolation determines
 
-    /// Piece that holds from time k - 1 to time k; 0 is the one before all, `times.size()` that after all.
+    /// Piece from time k - 1 to time k; piece 0 is before all times, piece `times.size()` after all times.
     CubicPiece piece(std::size_t k) const;
-    /// Piece at t; of two that meet there, the later one, but at the last time the one before it.
+    /// Piece at t; where two pieces meet, the later one, but at the last time the earlier one.
     CubicPiece piece_at(double t) const;
-    /// Bounds between two times: entry k bounds |f^(k)| / k!; entry 0 is not used. A derivative that jumps
-    /// between them makes the next one infinite.
+    /// Bounds between two times: entry k bounds |f^(k)| / k!; entry 0 is not used. If a derivative jumps
+    /// between them, the bound of the next one is infinite.
     std::array<double, 5> taylor_bounds(double from, double to) const;
 
     bool operator==(const TimeTable&) const = default;

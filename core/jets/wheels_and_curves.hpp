@@ -54,7 +54,7 @@ struct Wheel {
     }
 };
 
-/// A point of body j on a curve of body i, one of three components in the frame of i.
+/// Point of body j on a curve of body i: one of the three components in the frame of i.
 ///
 ///   Φ = e_iᵀ d - c(θ),   e the component's axis, d from the origin of the curve   (1 equation, m)
 ///

@@ -8,8 +8,8 @@
 #include "core/kinematics/paths/cubic_path.hpp"
 #include "core/kinematics/turning_point.hpp"
 
-/// Change points, which the motion crosses, and the causes of its end: the poses at which no step can be
-/// proved.
+/// Poses at which no step can be proved: change points, which the motion crosses, and those at which it ends,
+/// with the cause.
 namespace jw {
 
 namespace {
@@ -116,8 +116,8 @@ MotionTracker::Root MotionTracker::find_root() {
     return {};
 }
 
-/// Keeps the last poses of the approach, each nearer to the singular pose than the previous one: at its end,
-/// rounding makes steps so short that they come no nearer.
+/// Keeps the last poses of the approach, each nearer to the singular pose than the previous one: at the end
+/// of the approach, rounding makes steps so short that they come no nearer.
 void MotionTracker::remember() {
     const double margin = proof_.margin_nearby();
     while (!latest_.empty() && margin > latest_.back().margin) { latest_.pop_back(); }
@@ -147,7 +147,7 @@ bool MotionTracker::cross(double t) {
 }
 
 void MotionTracker::explain_end(double t) {
-    if (!failure_) {  // quick steps alone were rejected
+    if (!failure_) {  // only quick steps were rejected
         failure_ = PositionFailure{};
         failure_->t = frame_.t;
     }

@@ -10,7 +10,7 @@ namespace jw {
 
 namespace {
 
-// Part of a velocity that may not be a free motion: the error of the decomposition of Φq.
+// Largest part of a velocity outside the free motions: the error of the decomposition of Φq.
 constexpr double kNotFree = 1e-6;
 // Equations are assembled to rounding at best.
 constexpr double kAssembled = 1e-15;
@@ -21,8 +21,8 @@ constexpr double kRoomOfPose = 4.0;
 constexpr int kOthers = 3;
 static_assert(kOrders == kHighestOrder + 1);
 
-/// If a pose is off by δ along the motion, its lower coefficients contain parts of the higher ones: a
-/// coefficient counts only beyond these parts. δ is as large as the misfit at the pose allows.
+/// First coefficient that is larger than the parts of higher ones that it contains if the pose is off by δ
+/// along the motion. δ is as large as the misfit at the pose allows.
 std::optional<Missed> first_that_counts(const Misfits& misfits) {
     const double at_pose = kRoomOfPose * misfits[0].value + kAssembled;
     double off = 1.0;
@@ -44,7 +44,7 @@ std::optional<Missed> first_that_counts(const Misfits& misfits) {
     return std::nullopt;
 }
 
-/// True if no other velocity misses an equation before `order`.
+/// True if no other velocity violates an equation at an order below `order`.
 bool is_first(Expansion& expansion, int order) {
     if (expansion.freedoms() == 1 || order == 2) { return true; }
     for (int k = 1; k <= kOthers; ++k) {
@@ -58,7 +58,7 @@ bool is_first(Expansion& expansion, int order) {
     return true;
 }
 
-/// @param scale size of the velocity along which it was expanded
+/// @param scale size of the velocity along which the path was expanded
 Departure described(
     const System& system, const ProvedStep& step, const Motion& velocity, const Missed& missed,
     double scale) {

@@ -45,7 +45,7 @@ void Dragger::slope_at(const State& state, VectorX& slope) {
     slope = slope.cwiseProduct(scaling_.column);
 }
 
-/// Second derivative of the same along a free motion, by a difference of gradients.
+/// Second derivative of ½ |goal - point|² + λᵀΦ along a free motion, by a difference of gradients.
 void Dragger::curvature_along(const VectorX& direction, VectorX& curvature) {
     const double h = kDifference / direction.norm();
     step_ = h * direction.cwiseProduct(scaling_.column);

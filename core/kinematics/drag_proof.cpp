@@ -60,7 +60,7 @@ bool Dragger::is_decided(const State& state) {
     return decided;
 }
 
-/// Moves the pose in `newton_` to `reached_`, where it is exact up to rounding, and factors its equations.
+/// Stores the pose in `newton_`, corrected to rounding, in `reached_`, and factors its equations.
 /// @return their rank
 int Dragger::polish() {
     reached_ = newton_.state();

@@ -11,7 +11,7 @@ namespace jw {
 
 namespace {
 
-/// Least squared part of a row that must be independent of the others. Measured on Bennett's mechanism near
+/// Least RowsVerdict::smallest_pivot of rows that count as independent. Measured on Bennett's mechanism near
 /// its folded position: accelerations are good to 1e-13 at this value, and lose a digit for each power of ten
 /// below it.
 constexpr double kLeastPivot = kSurelyIndependent;
@@ -21,8 +21,8 @@ constexpr double kHolds = 1e-13;
 /// Largest |Φ| of a prediction, divided by the size of its equations, whose factorisation can also be used at
 /// the pose: each refinement then leaves less than 1e-5, as pivots are not below kLeastPivot.
 constexpr double kNear = 1e-8;
-/// Longest step for which a polynomial is continued, in times between two of its poses: errors of poses and
-/// of the polynomial grow with the ninth power of this.
+/// Longest step for which a polynomial is continued, in multiples of the time between two of its poses:
+/// errors of poses and of the polynomial grow with the ninth power of this.
 constexpr double kMostContinued = 1.5;
 
 Loads unit_masses(const Mechanism& mechanism) {
@@ -93,7 +93,7 @@ bool DrivenFrames::led_on() const {
     return is_on_tangent(movement(y_, y_new_, length_), movement(predicted_, y_new_, length_));
 }
 
-/// Stores what is known of the pose from which the next advance starts.
+/// Stores the interpolated numbers and their derivatives at the pose from which the next advance starts.
 void DrivenFrames::remember() {
     if (known_ > 0 && latest_.back().t == t_) { return; }
     std::ranges::rotate(latest_, latest_.begin() + 1);

@@ -9,9 +9,9 @@
 #include "core/motion/motion_equations.hpp"
 #include "core/numerics/hermite.hpp"
 
-/// Position, velocity and acceleration of a mechanism whose drivers leave no freedom: a fast solver from
-/// one time to the next over the graph of joints, where no rank has to be determined. The normal equations
-/// Φq W Φqᵀ that it solves square the condition number, so it declines wherever that would lose digits.
+/// Position, velocity and acceleration of a mechanism whose drivers leave no freedom: a fast solver over the
+/// graph of joints from one time to the next, used where no rank has to be determined. The normal equations
+/// Φq W Φqᵀ that it solves square the condition number, so it declines where digits would be lost.
 namespace jw {
 
 class DrivenFrames {
@@ -22,16 +22,16 @@ public:
     explicit DrivenFrames(const System& system);
 
     /// Starts at a pose and determines which rows are redundant.
-    /// @return false if the rows leave a freedom, or if too little is left of one of them
+    /// @return false if the rows leave a freedom, or if one of them is nearly dependent on the others
     bool start(const State& state, const Motion& velocity, const Motion& acceleration, double t);
     /// Advances to time `t` by Newton's method. The start is a pose predicted from position, velocity and
     /// acceleration at up to three earlier times.
     /// @return false if a rank has to be determined or Newton's method led elsewhere; the pose is unchanged
     /// then
     bool advance(double t);
-    /// Takes the last advance back.
+    /// Undoes the last advance.
     void retreat();
-    /// Writes the numbers of the moving bodies into `state`, `velocity` and `acceleration`; the others stay.
+    /// Writes the results for the moving bodies into `state`, `velocity` and `acceleration`; the rest stays.
     void write(State& state, Motion& velocity, Motion& acceleration) const;
 
 private:

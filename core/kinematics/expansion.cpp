@@ -82,8 +82,8 @@ MatrixX Expansion::jacobian_of(int equation) {
     return J;
 }
 
-/// Chooses independent rows, whose J is L Qᵀ. The rows of an equation are rotated, so that what is missed
-/// does not depend on the directions in which the equation is written.
+/// Chooses independent rows, whose J is L Qᵀ. The rows of an equation are rotated, so that the misfits do not
+/// depend on the directions in which the equation is written.
 void Expansion::choose_independent() {
     J_ = MatrixX::Zero(rows_count_, columns_);
     Q_ = MatrixX::Zero(columns_, columns_);
@@ -102,8 +102,8 @@ void Expansion::choose_independent() {
     L_.conservativeResize(rank, rank);
 }
 
-/// A row is independent if enough of it is left after the projection on earlier rows is removed. It is
-/// removed twice: once leaves rounding of the size of what was removed.
+/// Adds a row. It is independent if enough of it is left after its projection on earlier rows is removed.
+/// This is done twice: the first removal leaves rounding of the size of the projection.
 void Expansion::add_row(int row) {
     const auto r = static_cast<Eigen::Index>(independent_.size());
     VectorX rest = J_.row(row).transpose();
@@ -188,7 +188,7 @@ VectorX Expansion::solve(int order) {
     return Q_ * y;
 }
 
-/// The equation that is missed most, beyond what errors explain.
+/// The equation with the largest misfit that errors do not explain.
 Missed Expansion::worst(int order, const VectorX& own) const {
     Missed missed{order, 0.0, 0};
     const double spread = kRoundingOfOrder * order * size_.maxCoeff() / least_pivot_;

@@ -6,11 +6,11 @@
 #include "core/jets/power_series.hpp"
 #include "core/kinematics/proof/proved_step.hpp"
 
-/// Power series of a path along a velocity: order by order from the independent equations, and how much the
-/// other equations are missed.
+/// Power series of a path along a velocity. The independent equations give its coefficients, order by order;
+/// the other equations may be violated.
 namespace jw {
 
-/// Coefficient of the equation that is missed most; 0 if errors explain it.
+/// Coefficient of the equation that is violated most; 0 if rounding and the error of the pose explain it.
 struct Missed {
     int order = 0;
     double value = 0.0;  ///< in units of the equation
@@ -23,9 +23,9 @@ public:
     /// @param system drivers stand still at time 0; must outlive this
     Expansion(const System& system, const State& state, const Motion& velocity);
 
-    /// False if no equation can be missed, or if there are too many.
+    /// False if all equations are independent, or if there are more than kMostProvedColumns columns.
     bool has_dependent_rows() const { return static_cast<int>(independent_.size()) < rows_count_; }
-    /// Free motions of the bodies that are linked to those that move.
+    /// Number of free motions of the bodies that move and of those that are linked to them.
     Eigen::Index freedoms() const { return columns_ - static_cast<Eigen::Index>(independent_.size()); }
 
     Eigen::Index columns() const { return columns_; }

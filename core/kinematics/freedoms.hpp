@@ -22,12 +22,12 @@ inline constexpr double kProvedLength = 0.2;
 /// Default length of the steps by which a motion is followed [rad, or sizes of the machine].
 inline constexpr double kFreedomStep = 0.03;
 
-/// Verdict on a free motion, with how it leaves the equations.
+/// Verdict on a free motion, and its departure from the equations.
 struct FreedomJudgement {
     FreedomVerdict verdict = FreedomVerdict::cannot_tell;
     std::optional<Departure> departure;  ///< if it is of first order only
-    /// For first order: another motion, through the states that are followed, leads away from the start, and
-    /// is proved.
+    /// True if the motion is of first order, but another motion through the followed states leads away from
+    /// the start and is proved.
     bool has_motion_beside = false;
 
     bool is_finite() const { return verdict == FreedomVerdict::finite; }
@@ -35,31 +35,31 @@ struct FreedomJudgement {
 
 /// States along a free motion.
 struct FollowedMotion : FreedomJudgement {
-    std::vector<State> states;  ///< assembled, in the order of the motion, at least the state it started from
+    std::vector<State> states;  ///< assembled, in the order of the motion; at least the start
     int start = 0;              ///< index of the start in `states`
 };
 
 /// Follows a free motion in both directions along the assembled states: a step along the tangent nearest to
 /// the previous one, then Newton's method.
 ///
-/// It is finite if it does not leave the equations at any order (find_departure), and if, in at least one
-/// direction, it is proved that a path of length kProvedLength leads along the first states: by StepProof,
-/// where what is left free follows the cubic path. All equations hold at the ends of all steps to 1e-11 of
-/// their unit, or to ten times what they miss at the start. A step that cannot be proved is halved. From a
-/// start where branches cross, no step can be proved: there a step of kCrossing is taken if the cubic path
-/// along `direction` satisfies the equations.
+/// The motion is finite if it does not leave the equations at any order (find_departure), and if StepProof
+/// proves, in at least one direction, that a path of length kProvedLength leads along the first states; what
+/// is left free follows the cubic path. All equations hold at the ends of all steps to 1e-11 of their unit,
+/// or to ten times their residual at the start. A step that cannot be proved is halved. From a start where
+/// branches cross, no step can be proved: there a step of kCrossing is taken if the cubic path along
+/// `direction` satisfies the equations.
 ///
 /// States are also given for a motion of first order: where branches cross, a vector between their tangents
 /// leads onto one of them. The tangent predicts a movement h; Newton's method projects it onto Φ = 0 and
 /// leaves a movement m. Along a curve, m/h tends to 1 as h shrinks, and the correction must be less than a
-/// third; between branches it keeps a fixed part, and a tenth is enough. Tried for h, h/4, h/16, h/64.
+/// third; between branches m stays a fixed part of h, and a tenth is enough. Tried for h, h/4, h/16, h/64.
 ///
 /// @param state satisfies the constraints at time `t`, at which drivers stand still
 /// @param direction columns of (r, ω') and θ with Φq direction = 0, as RankReport::free_motions; any size
 /// @param steps at most this many in each direction; fewer where the motion ends
 /// @param step_turn largest turn of a body per step [rad]; displacements count in sizes of the machine.
-///        Nothing is finite unless `steps` of this length are kProvedLength long
-/// @throws std::invalid_argument if `direction` has not the system's number of columns
+///        No motion is judged finite unless `steps` of this length add up to kProvedLength
+/// @throws std::invalid_argument if `direction` does not have the system's number of columns
 FollowedMotion follow_free_motion(
     const System& system, const State& state, double t, const VectorX& direction, int steps,
     double step_turn);

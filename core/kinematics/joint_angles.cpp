@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-// [rad] the turns of a larger angle are not known: the run has blown up
+// [rad] the turns of a larger angle are not known: the run has diverged
 constexpr double kMostCounted = 1e9;
 
 int whole_turns(double angle) {

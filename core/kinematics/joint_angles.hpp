@@ -9,9 +9,9 @@ namespace jw {
 
 /// Angles of joints along a motion. A pose gives an angle only up to whole turns, in (-π, π]; the motion
 /// determines how many turns it has made. It begins within half a turn; a driven angle begins at the value of
-/// its driver. From one pose to the next, the turns to which the rates lead are used, so poses must be near
-/// enough for rates and accelerations at both to predict the angle to half a turn: those of consecutive steps
-/// of a tracker or an integrator are.
+/// its driver. From one pose to the next, the rates determine the turns. So poses must be so near that rates
+/// and accelerations at both predict the angle to half a turn, as they do for consecutive steps of a tracker
+/// or an integrator.
 class FollowedAngles {
 public:
     /// @param mechanism must outlive this
@@ -24,7 +24,7 @@ public:
     /// Whole turns of every joint at the last pose, 0 for joints without an angle: the angle of the joint is
     /// that of the pose plus 2π times this.
     const std::vector<int>& turns() const { return turns_; }
-    /// The same at a pose between two of the last four.
+    /// Whole turns at a pose between two of the last four.
     std::vector<int> turns_at(double t, const State& state) const;
 
 private:

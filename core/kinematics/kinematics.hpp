@@ -68,7 +68,7 @@ private:
     double t_ = 0.0;
     int rank_ = 0;
     double residual_ = 0.0;
-    double position_error_ = 0.0;  ///< uncertainty of pivots by the residual
+    double position_error_ = 0.0;  ///< uncertainty of pivots due to the residual
     VectorX right_side_;
     VectorX solution_;
     VectorX miss_;

@@ -19,7 +19,7 @@ constexpr double kHuge = 1e100;
 // a decrease of ½ distance² below this share of it is rounding
 constexpr double kSmallestGain = 1e-13;
 constexpr double kSufficient = 1e-4;  // Armijo, as in newton.cpp
-// 1, 1/4 ... 1/64 of a step; if corrections stay proportional to it, the pose is a corner
+// 1, 1/4 ... 1/64 of a step; if corrections stay proportional to the step, the pose is a corner
 constexpr int kMostAttempts = 4;
 constexpr double kShorter = 0.25;
 // at a corner, the tangent does not belong to any branch: a solution near the prediction is accepted if it is
@@ -84,7 +84,7 @@ Vec3 Dragger::point(const State& state) const {
     return state.r[b] + rotation_matrix(state.p[b]) * point_local_;
 }
 
-/// Chooses rows at a state and factors its equations, which are in the assembler then.
+/// Chooses rows at a state and factors its equations, which are then in the assembler.
 void Dragger::factor(const State& state, LeastSquares& least_squares) {
     system_->choose_rows(state);
     assembler_.assemble_phi_and_jacobian(state, t_);
@@ -147,7 +147,7 @@ bool Dragger::Promise::is_rounding(double fraction) const {
     return !(fraction * gain > kSmallestGain * value);
 }
 
-/// True if the pose in `newton_` is nearer to the goal by a share of what the direction promises.
+/// True if the pose in `newton_` is nearer to the goal by a share of the predicted decrease.
 bool Dragger::gains(double fraction, const Promise& promise) const {
     const double there = 0.5 * (goal_ - point(newton_.state())).squaredNorm();
     return there <= promise.value - kSufficient * fraction * promise.gain;

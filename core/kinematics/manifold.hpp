@@ -12,8 +12,8 @@ namespace jw {
 
 /// Rank by pivots at a pose assembled to `residual` (scaled).
 int rank_of_all(const LeastSquares& least_squares, double residual);
-/// As in the motion tracker, the weakest equation does not count here if it is nearly lost: near a singular
-/// pose it is mostly position error.
+/// Rank without the weakest equation if that is nearly lost, as in the motion tracker: near a singular pose,
+/// this equation is mostly position error.
 int reliable_rank(const LeastSquares& least_squares, double residual);
 
 /// Moves `state` to a nearby assembled state by Newton's method; rows are chosen again there.
@@ -55,7 +55,7 @@ public:
     const State& state() const { return state_; }
 
 private:
-    /// A direction of a pull: ½ distance², and how much of it the direction promises to gain per fraction.
+    /// Prediction for a direction of a pull: ½ distance², and its decrease along the whole direction.
     struct Promise {
         double value = 0.0;
         double gain = 0.0;

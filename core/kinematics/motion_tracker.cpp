@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostRejected = 4;
 // steps of one interval: a motion that takes more comes too near to a singular pose, or leads too far
 constexpr int kMostTried = 50000;
-// of an interval: 10^-14
+// shortest steps, as shares of an interval; the first one is 10^-14
 constexpr double kShortest = 0x1p-46;
 constexpr double kShortestFree = 0x1p-12;
 // growth of a step after one that was proved: more would often be rejected
@@ -207,7 +207,7 @@ bool MotionTracker::find_pose(double h, Way way) {
     // at a change point the rows do not determine accelerations: predict along the tangent alone
     if (is_at_change_) { base.acceleration = zero_motion(system_->mechanism()); }
     const State prediction = predicted(*system_, base, h);
-    // between solves: after a large step the kept pair may have lost rank
+    // rows are chosen between solves: after a large step the kept pair may have lost rank
     frame_.rows_switched = system_->choose_rows(prediction) || frame_.rows_switched;
     newton_.start(prediction, frame_.t + h);
     const NewtonOutcome outcome = solve(newton_);
@@ -223,7 +223,7 @@ bool MotionTracker::find_pose(double h, Way way) {
             frame_.t + h};
         return false;
     }
-    // nothing is proved of what is left free
+    // nothing is proved about motions that are left free
     const bool has_full_rank = full_rank_ >= system_->columns(OmegaLocal::kAngular);
     const bool is_good = way == Way::proved && has_full_rank
                              ? is_meant(*system_, newton_.state(), sides_)
@@ -280,8 +280,8 @@ bool MotionTracker::advance_to(double t) {
     return reached && reach(t);
 }
 
-/// False if drivers leave bodies free together: then nothing is proved, and the motion is followed along its
-/// tangent.
+/// False if drivers leave several bodies free together: then nothing is proved, and the motion is followed
+/// along its tangent.
 bool MotionTracker::is_determined() {
     return full_rank_ >= system_->columns(OmegaLocal::kAngular) ||
            !proof_.leaves_bodies_free({frame_.t, &frame_.state, &path_velocity_});

@@ -33,8 +33,8 @@ struct MotionFrame {
     int substeps = 1;            ///< steps since the last frame
     int tries = 1;               ///< attempts at steps, including rejected ones: each is a proof
     bool rows_switched = false;  ///< a p1 / p2 choice changed since the last frame
-    /// Singular pose or nearly so: the rank is lower than in poses around it. The motion passes it along the
-    /// previous tangent.
+    /// True at a singular or nearly singular pose: the rank is lower than at poses around it. The motion
+    /// passes such a pose along the previous tangent.
     bool change_point = false;
 };
 
@@ -57,7 +57,7 @@ public:
     ///        the last good pose
     bool advance_to(double t);
     const std::optional<PositionFailure>& failure() const { return failure_; }
-    /// Times at which the motion continued across a change point along its tangent, not proved [s].
+    /// Times at which the motion continued across a change point along its tangent, without a proof [s].
     const std::vector<double>& crossings() const { return crossings_; }
 
 private:
@@ -105,7 +105,7 @@ private:
     MotionFrame reached_;
     FollowedAngles angles_;
     StepProof proof_;
-    Motion path_velocity_;       ///< of the frame by all its equations; at change points, `frame_` omits one
+    Motion path_velocity_;       ///< velocity from all equations; at change points, `frame_` omits one
     std::vector<double> kinks_;  ///< times at which a derivative of a driver jumps
     double step_ = HUGE_VAL;     ///< length of a step that can be proved [s]
     /// Pose that was proved, with its velocity.
@@ -120,9 +120,9 @@ private:
     std::vector<double> crossings_;
     bool is_start_ = true;    ///< nothing has moved so far
     bool is_driven_ = false;  ///< drivers leave no bodies free together: steps are proved
-    /// At a singular pose or nearly so, by the rank of the motion so far.
+    /// True at a singular or nearly singular pose, as judged by the rank of the motion so far.
     bool is_at_change_ = false;
-    int rank_beside_ = 0;  ///< rank of poses beside the start, where it may be singular
+    int rank_beside_ = 0;  ///< rank of poses beside the start, which may be singular
     std::optional<PositionFailure> failure_;
 };
 

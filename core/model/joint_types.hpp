@@ -22,21 +22,21 @@ enum class Role {
     distance_perpendicular_j,  ///< n2(s_j, d)
     sides_perpendicular,       ///< n1(h), h perpendicular to the axis
     length,                    ///< d·d = L²
-    formula,                   ///< of the author
+    formula,                   ///< an equation that the author wrote
     screw_advance,             ///< r of slide 11
     screw_angle,               ///< θ of slide 11
     wheel_i,                   ///< θ, from the line of centres to u_i
-    wheel_j,                   ///< ratio θ, to u_j
+    wheel_j,                   ///< ratio θ, from the line of centres to u_j
     bevel_i,                   ///< θ, from the common normal of the axes to u_i
-    bevel_j,                   ///< ratio θ, to u_j
+    bevel_j,                   ///< ratio θ, from the common normal to u_j
     rack_advance,              ///< r of slide 11 along a rack
     rack_angle,                ///< θ, from the direction of the rack to u_j
-    curve_x,                   ///< x of a point in the frame of the curve's body, and of the curve
+    curve_x,                   ///< x of a point equals x of the curve, in the frame of the curve's body
     curve_y,
     curve_z,
 };
 
-/// Vectors of a joint's geometry, a bit each.
+/// Vectors of a joint's geometry, one bit each.
 enum Vectors : unsigned {
     kPoints = 1U << 0U,  ///< P_i and P_j, which coincide
     kD = 1U << 1U,       ///< d from P_i to P_j
@@ -52,11 +52,11 @@ enum class Dimension { none, length, square, of_author };
 /// Name and parts of the equations of a role.
 struct RoleTraits {
     Role role;
-    std::string_view name;  ///< beside the rows of a joint; unique within a joint
+    std::string_view name;  ///< shown beside the rows of a joint; unique within a joint
     int independent;        ///< equations that can be independent: two of the three of p1 and p2
-    unsigned vectors;       ///< of Vectors
+    unsigned vectors;       ///< bits of Vectors
     Dimension dimension;
-    std::string_view pair_name = {};  ///< of the form ParallelForm::pair
+    std::string_view pair_name = {};  ///< name in the form ParallelForm::pair
 };
 
 inline constexpr std::array kRoles{
@@ -87,14 +87,14 @@ static_assert(
     std::ranges::all_of(kRoles, [](const RoleTraits& r) { return &traits_of(r.role) == &r; }),
     "kRoles is in the order of Role");
 
-/// Its equations contain the joint's artificial coordinate.
+/// True if the equations of the role contain the joint's artificial coordinate.
 constexpr bool has_theta(Role role) { return role >= Role::screw_advance; }
 
-/// θ is the angle of its wheel.
+/// True if θ is the angle of the wheel of the role.
 constexpr bool is_first_wheel(Role role) {
     return role == Role::wheel_i || role == Role::bevel_i || role == Role::rack_angle;
 }
-/// Its wheel follows θ.
+/// True if the wheel of the role follows θ.
 constexpr bool is_second_wheel(Role role) { return role == Role::wheel_j || role == Role::bevel_j; }
 
 constexpr bool is_parallel(Role role) { return traits_of(role).independent == 2; }
@@ -108,34 +108,34 @@ struct JointGeometry {
     Vec3 h_i_local = Vec3::UnitX();  ///< side vector, perpendicular to the axis
     Vec3 h_j_local = Vec3::UnitY();
     /// The angle about the axis is measured from u_i to u_j (unit, perpendicular to the axis; the u of
-    /// slide 11); u_i = u_j at the start pose when the joint was given by a global axis. Those of wheels lie
-    /// on their line at the same time.
+    /// slide 11); u_i = u_j at the start pose when the joint was given by a global axis. Both u of two wheels
+    /// lie on the line of the wheels at the same time.
     Vec3 u_i_local = Vec3::UnitX();
     Vec3 u_j_local = Vec3::UnitX();
     double length = 0.0;    ///< [m]
-    ScalarFormula formula;  ///< Φ of a formula joint, of the components of FormulaVector
+    ScalarFormula formula;  ///< Φ of a formula joint, a function of the components of FormulaVector
     /// Points of r_i and r_j in a formula [m]: not 0 if the frames were moved to the centres of mass.
     Vec3 O_i_local = Vec3::Zero();
     Vec3 O_j_local = Vec3::Zero();
     double alpha = 0.0;    ///< screw: advance per radian [m/rad]; rack: the radius of its wheel
     double d_0 = 0.0;      ///< screw and rack [m]
     double theta_0 = 0.0;  ///< screw and rack [rad]
-    double ratio = 0.0;    ///< gear and belt: turns of the wheel of j in one of i, from the line of centres
-    /// Gear and belt, if they were given [m]; negative in j: the inner side of a ring, or a crossed belt.
+    double ratio = 0.0;    ///< gear and belt: turns of wheel j per turn of wheel i, from the line of centres
+    /// Radii of gear and belt, if given [m]; negative in j: the inner side of a ring, or a crossed belt.
     std::array<double, 2> radii{};
-    Curve curve;  ///< in the axes of body i, from P_i on
+    Curve curve;  ///< in the axes of body i, measured from P_i
     ScrewAngleForm screw_angle_form = ScrewAngleForm::rotation;
     /// Start estimate of the artificial coordinate and its rate; absent: measured at the start pose.
     std::optional<double> theta_start;      ///< [rad]
     std::optional<double> theta_dot_start;  ///< [rad/s]
-    /// Rates of its angle and its displacement that dynamics begins with; absent: any that the bodies have.
+    /// Rates of the joint's angle and displacement when dynamics starts; absent: any that the bodies have.
     std::optional<double> angle_dot_start;         ///< [rad/s]
     std::optional<double> displacement_dot_start;  ///< [m/s]
 
     bool operator==(const JointGeometry&) const = default;
 };
 
-/// Motion that a joint allows, one part after the other, from the carrying body to the carried one.
+/// Part of the motion that a joint allows; parts are in order from the carrying body to the carried one.
 enum class Freedom {
     turn,             ///< about the axis of the carried body
     turn_of_carrier,  ///< about the axis of the carrying body
@@ -176,8 +176,8 @@ struct JointType {
     std::string_view name;
     std::span<const Role> roles;
     int dof;                          ///< relative freedoms of the two bodies
-    std::span<const Freedom> motion;  ///< these freedoms; empty if no chain of simple ones gives them
-    int artificial;                   ///< artificial coordinates it brings along
+    std::span<const Freedom> motion;  ///< these freedoms as a chain of simple ones; empty if there is none
+    int artificial;                   ///< artificial coordinates that it adds
     JointGlyph glyph;
     std::string_view source;
 
@@ -190,20 +190,20 @@ struct JointType {
     constexpr bool uses(Vectors vectors) const {
         return std::ranges::any_of(roles, [&](Role r) { return (traits_of(r).vectors & vectors) != 0; });
     }
-    /// The angle about the axis is free: it can be driven, claimed and plotted, and sides define its zero.
+    /// True if the angle about the axis is free: it can be driven, claimed and plotted. Sides set its zero.
     constexpr bool has_angle() const { return uses(Role::axes_parallel) && !uses(Role::sides_perpendicular); }
-    /// Its sides are the u from which an angle is measured, not the h of an n1.
+    /// True if its sides are the u from which an angle is measured, not the h of an n1.
     constexpr bool has_marks() const { return has_angle() || uses(kSidesU); }
-    /// Its equation is the author's; all vectors are optional.
+    /// True if the author writes its equation; then all vectors are optional.
     constexpr bool has_formula() const { return uses(Role::formula); }
     constexpr bool has_curve() const { return uses(Role::curve_x); }
-    /// Its artificial coordinate is no angle about its axis: that of a wheel, or the parameter of a curve.
+    /// True if its artificial coordinate is that of a wheel or of a curve, not an angle about its axis.
     constexpr bool has_own_coordinate() const { return artificial > 0 && !has_angle(); }
-    /// The displacement along the axis is free.
+    /// True if the displacement along the axis is free.
     constexpr bool has_displacement() const { return uses(Role::distance_parallel); }
-    /// Its points keep a distance.
+    /// True if its points keep a distance.
     constexpr bool has_distance() const { return uses(Role::length); }
-    /// A body can hang from another by it in a tree of joints: its motion is exactly what it leaves free.
+    /// True if a body can hang from another by it in a tree of joints: `motion` has all its freedoms.
     constexpr bool can_carry() const {
         int freedoms = 0;
         for (const Freedom freedom : motion) { freedoms += freedoms_of(freedom); }
@@ -280,7 +280,7 @@ inline constexpr std::array kJointTypes{
               JointGlyph::rod_from_cross_to_ball, "book ch. 7, composite"},
     JointType{"point-on-line", roles::p2, 4, motions::none, 0, JointGlyph::bead_on_bar, "slide 3; book ch. 7"},
     JointType{"point-in-plane", roles::n2, 5, motions::none, 0, JointGlyph::bead_on_plate, "slide 2; book ch. 7"},
-    // wheels that roll on each other, on a belt or on a rack; other joints hold their axes
+    // wheels that roll on each other, on a belt or on a rack; other joints constrain their axes
     JointType{"gear", roles::gear, 5, motions::none, 1, JointGlyph::gear, "slide 11, parallel axes"},
     JointType{"bevel-gear", roles::bevel, 5, motions::none, 1, JointGlyph::bevel, "slide 11, crossed axes"},
     JointType{"belt", roles::gear, 5, motions::none, 1, JointGlyph::belt, "slide 11, parallel axes"},
@@ -306,7 +306,7 @@ inline const JointType* find_joint_type(std::string_view name) {
 /// Form of p1 and p2 of a joint.
 enum class ParallelForm {
     rule,    ///< two of three, by the rule of slide 5 with hysteresis
-    drop_x,  ///< two of three, the x equation dropped for every axis
+    drop_x,  ///< two of three, the x equation left out for every axis
     drop_y,
     drop_z,
     all_three,  ///< all three kept; one is redundant

@@ -201,7 +201,7 @@ double part_of(const J& linear, const Joint& joint, const Motion& acceleration) 
     return part(linear.block_i, joint.body_i) + part(linear.block_j, joint.body_j);
 }
 
-/// Rate of wᵀ d_local for a vector w, or its acceleration, if that is given.
+/// First time derivative of wᵀ d_local for a vector w; the second one if `acceleration` is given.
 double along_curve(
     const Joint& joint, const Vec3& w, const State& state, const Motion& motion,
     const Motion* acceleration = nullptr) {
@@ -214,7 +214,7 @@ double along_curve(
            moving.bias(0);
 }
 
-/// θ̇ and θ̈ of a point that stays on its curve: c_uᵀ (ḋ - c_u θ̇) = 0.
+/// θ̇, or θ̈ if `acceleration` is given, of a point that stays on its curve: c_uᵀ (ḋ - c_u θ̇) = 0.
 double rate_on_curve(
     const Joint& joint, const State& state, const Motion& motion, const Motion* acceleration, double theta) {
     const Curve& curve = joint.geometry.curve;
@@ -252,9 +252,9 @@ double artificial_acceleration(
 }
 
 int turns_of_mesh(double turned, double ratio) {
-    // wheels have fewer teeth, so that every pose is reached within as many turns
+    // wheels have fewer teeth than this, so that every pose is reached within this many turns
     constexpr int most = 1000;
-    // [rad] of rounding that another turn has to save
+    // [rad] that each further turn must save; less is rounding
     constexpr double per_turn = 1e-6;
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -273,7 +273,7 @@ int turns_of_mesh(double turned, double ratio) {
 
 namespace {
 
-/// Neither body can move away from the other.
+/// True if neither body can move away from the other.
 bool ties(const Joint& joint) { return joint.type->uses(Role::same_point) || joint.type->uses(Role::length); }
 
 /// Bodies that cannot move away from the fixed ones, whatever their start poses.

@@ -15,7 +15,7 @@ struct Body {
     std::string name;
     bool fixed = false;
     Vec3 r = Vec3::Zero();            ///< [m]
-    Vec4 p = Vec4::Unit(0);           ///< used as it is; unit up to what the author typed
+    Vec4 p = Vec4::Unit(0);           ///< used as it is: unit only to the digits that the author typed
     Vec3 r_dot = Vec3::Zero();        ///< [m/s]
     Vec3 omega_local = Vec3::Zero();  ///< [rad/s]
 };
@@ -35,28 +35,28 @@ struct Joint {
     int body_j = 0;
     JointGeometry geometry;
     ParallelForm parallel_form = ParallelForm::rule;
-    /// Equations taken out by hand, independent of the form; one that the joint does not have has no effect.
+    /// Equations taken out by hand, whatever the form; an equation that the joint lacks has no effect.
     std::vector<EquationOut> without;
 };
 
 /// Prescribes a measure between two bodies as a function of time.
 struct Driver {
     std::string name;
-    int joint = -1;  ///< joint it acts along, -1 for a distance or a coordinate
+    int joint = -1;  ///< joint along which it acts, -1 for a distance or a coordinate
     int body_i = 0;
     int body_j = 0;
     Measure measure;
     TimeFunction function;
 };
 
-/// What the digits of typed numbers leave undecided about the rank of all joints together.
+/// Verdict on the rank of all joints together, where it depends on the digits of typed numbers.
 struct TypedVerdict {
     int rank_as_typed = 0;
     int rank = 0;         ///< of the mechanism that was meant
-    double misfit = 0.0;  ///< largest |Φ| of the mechanism as typed along that one's motion, scaled
+    double misfit = 0.0;  ///< largest |Φ| of the mechanism as typed along the meant motion, scaled
     double share = 0.0;   ///< largest change of a number, in half units of its last digit
-    /// A mechanism within the digits has `rank` along a motion of finite length. False: none was found, and
-    /// the rank is not known.
+    /// True: a mechanism within the digits has `rank` along a motion of finite length. False: no such
+    /// mechanism was found, and the rank is not known.
     bool is_told = false;
 };
 
@@ -64,7 +64,7 @@ struct Mechanism {
     std::vector<Body> bodies;
     std::vector<Joint> joints;
     std::vector<Driver> drivers;
-    std::optional<TypedVerdict> typed;  ///< if the digits of the joints decide their rank
+    std::optional<TypedVerdict> typed;  ///< set if the rank of the joints depends on their digits
 
     int moving_bodies_count() const;
     /// Joint index -> index of its artificial coordinate, -1 where it has none.
@@ -98,34 +98,35 @@ Motion zero_motion(const Mechanism& mechanism);
 /// Right-handed angle from u_i to u_j about s_i of a joint at `state`, in (-π, π].
 double relative_angle(const Joint& joint, const State& state);
 
-/// Its rate, s_iᵀ (ω_j - ω_i) [rad/s].
+/// Rate of this angle, s_iᵀ (ω_j - ω_i) [rad/s].
 double angle_rate(const Joint& joint, const State& state, const Motion& motion);
 
-/// s_iᵀ (ω̇_j - ω̇_i) + (ω_i x s_i)ᵀ (ω_j - ω_i) [rad/s²]. @param acceleration  ω̇' instead of ω'
+/// Acceleration of this angle, s_iᵀ (ω̇_j - ω̇_i) + (ω_i x s_i)ᵀ (ω_j - ω_i) [rad/s²].
+/// @param acceleration  ω̇' instead of ω'
 double angle_acceleration(
     const Joint& joint, const State& state, const Motion& motion, const Motion& acceleration);
 
-/// Angle that the artificial coordinate of a joint follows [rad]: from u_i to u_j of a screw, from its line
-/// to u of the first wheel of wheels, in (-π, π]; on a curve, the parameter of its nearest point.
+/// Angle that the artificial coordinate of a joint follows [rad]: for a screw from u_i to u_j, for wheels
+/// from their line to u of the first wheel, in (-π, π]; for a curve, the parameter of its nearest point.
 double artificial_angle(const Joint& joint, const State& state);
-/// Artificial coordinate nearest to an expected value: with its turns, or by Newton's method along the curve.
+/// Artificial coordinate nearest to an expected value: with whole turns, or by Newton's method on the curve.
 double artificial_angle_near(const Joint& joint, const State& state, double expected);
 /// Artificial coordinate with the turns that the pose determines: by the advance of a screw or a rack, by the
-/// other wheel of a gear. Of those that differ by whole turns of both wheels, that nearest to 0.
+/// other wheel of a gear. Of values that differ by whole turns of both wheels, the nearest to 0.
 double artificial_angle_with_turns(const Joint& joint, const State& state);
-/// Its rate where it is `theta` [rad/s]; 0 where the line of wheels has no direction.
+/// Rate of the artificial coordinate at `theta` [rad/s]; 0 where the line of the wheels has no direction.
 double artificial_rate(const Joint& joint, const State& state, const Motion& motion, double theta);
-/// [rad/s²] @param acceleration  ω̇' and r̈ instead of ω' and ṙ
+/// Its acceleration [rad/s²]. @param acceleration  ω̇' and r̈ instead of ω' and ṙ
 double artificial_acceleration(
     const Joint& joint, const State& state, const Motion& motion, const Motion& acceleration, double theta);
 
-/// Wheel whose angle a joint's θ is; none if θ is another angle.
+/// Wheel whose angle is the θ of a joint; none if θ is another angle.
 std::optional<Wheel> first_wheel(const Joint& joint);
-/// Wheel that follows it; none if the joint has only one.
+/// Wheel that follows the first one; none if the joint has no second wheel.
 std::optional<Wheel> second_wheel(const Joint& joint);
 
-/// Whole turns k of the first wheel after which the second has turned by `turned` less ratio 2π k up to whole
-/// turns of its own: the smallest for which this leaves the least.
+/// Whole turns k of the first wheel for which `turned` - 2π k ratio is nearest to whole turns of the second
+/// wheel; of equally near ones, the smallest.
 int turns_of_mesh(double turned, double ratio);
 
 /// The joint's measures for drivers and quantities.
@@ -135,8 +136,8 @@ DisplacementMeasure displacement_of(const Joint& joint);
 /// A length typical of the mechanism's arms and distances [m], never 0; see unit_of_length.
 double extent(const Mechanism& mechanism);
 
-/// 1, or the power of 1000 nearest to the extent (mm, m, km ...): equations and unknowns are measured in
-/// this unit wherever sizes are compared, so that verdicts do not depend on the size of the machine [m].
+/// Power of 1000 nearest to the extent (mm, m, km ...) [m]. Equations and unknowns are measured in this unit
+/// wherever sizes are compared, so that verdicts do not depend on the size of the machine.
 double unit_of_length(const Mechanism& mechanism);
 
 }  // namespace jw

@@ -33,7 +33,7 @@ void set_sides(const BodyPair& pair, const JointType& type, const Vec3& side, Jo
 std::optional<Vec3> wheel_line(const BodyPair& pair, const JointType& type, const JointGeometry& geometry) {
     const Vec3 axis = pair.axis_i(geometry);
     const Vec3 axis_j = rotation_of(*pair.j) * geometry.s_j_local.normalized();
-    Vec3 line = axis;  // a rack has its direction there
+    Vec3 line = axis;  // the line of a rack is its direction
     double size = 1.0;
     if (type.uses(Role::wheel_i)) {
         const Vec3 d = pair.d(geometry.P_i_local, geometry.P_j_local);
@@ -50,7 +50,7 @@ void set_marks(const BodyPair& pair, const Vec3& line, JointGeometry& geometry) 
     const auto across = [](const Vec3& v, const Vec3& axis) {
         const Vec3 s = axis.normalized();
         const Vec3 rest = v - s.dot(v) * s;
-        // a rack is not a wheel: its direction is its line
+        // the direction of a rack is the line itself: any perpendicular will do
         return rest.norm() > kPerpendicular ? Vec3(rest.normalized()) : perpendicular_to(s);
     };
     geometry.h_i_local = geometry.u_i_local = across(pair.vector_i(line), geometry.s_i_local);

@@ -6,7 +6,7 @@
 /// and experiments.
 namespace jw {
 
-/// Cosine of two vectors that count as perpendicular: typed with four digits (0.06 deg).
+/// Largest |cosine| of two vectors that count as perpendicular: typed with four digits (0.06 deg).
 inline constexpr double kPerpendicular = 1e-3;
 
 bool is_perpendicular(const Vec3& a, const Vec3& b);
@@ -26,9 +26,9 @@ struct JointNeeds {
           sides(type.uses(kSidesH) || type.has_marks()) {}
 
     bool two_points;   ///< the points of i and j need not coincide
-    bool points;       ///< bevel gears: only for pictures
+    bool points;       ///< points are used; for bevel gears only in pictures
     bool right_angle;  ///< the vectors of the two bodies are perpendicular
-    bool arms;         ///< they are not parallel
+    bool arms;         ///< the vectors of the two bodies are not parallel
     bool axis_j;       ///< a vector in body j too
     bool axis;
     bool sides;
@@ -56,12 +56,12 @@ struct BodyPair {
 /// wheels, or none if there is no such line.
 std::optional<Vec3> wheel_line(const BodyPair& pair, const JointType& type, const JointGeometry& geometry);
 
-/// Sides of wheels: both lie on their line at the start.
+/// Sets the sides of wheels: both lie on the line of the wheels at the start.
 void set_marks(const BodyPair& pair, const Vec3& line, JointGeometry& geometry);
 
-/// Sides of a joint whose axes are set, from one unit vector perpendicular to that of i: u_i = u_j if the
-/// joint has an angle, otherwise h_j = axis × h_i. If the axes are not parallel at the start, that of j is
-/// first turned onto that of i in the shortest way.
+/// Sets the sides of a joint whose axes are set, from one unit vector perpendicular to the axis of i:
+/// u_i = u_j if the joint has an angle, otherwise h_j = axis × h_i. If the axes are not parallel at the
+/// start, the axis of j is first turned onto that of i in the shortest way.
 /// @param side  global
 void set_sides(const BodyPair& pair, const JointType& type, const Vec3& side, JointGeometry& geometry);
 

@@ -14,7 +14,7 @@ Mechanism moved_rigidly(Mechanism mechanism, const Vec4& p, const Vec3& r) {
 
 namespace {
 
-/// A formula whose lengths are those of the mechanism before it was scaled.
+/// Formula that is evaluated with the lengths of the mechanism before it was scaled.
 ScalarFormula unscaled(ScalarFormula formula, double factor) {
     constexpr int first = variable_of(FormulaVector::d, 0);
     constexpr int last = variable_of(FormulaVector::r_j_P, 2);

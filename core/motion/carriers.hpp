@@ -23,7 +23,7 @@ struct Situation {
 /// Point and axis that a link's wrench refers to.
 struct Place {
     Vec3 point = Vec3::Zero();       ///< point on body j, global [m]
-    Vec3 direction = Vec3::UnitZ();  ///< direction of its axis, any length
+    Vec3 direction = Vec3::UnitZ();  ///< direction of the axis, any length
 };
 Place place_of(const Link& link, const Situation& situation);
 

@@ -162,7 +162,7 @@ void Certificate::set_forces(double t, std::span<const ProbedBody> bodies) {
     }
     std::ranges::fill(forces_, BodyForce{});
     add_forces(scene_->loads, loaded_, t, forces_);
-    // in a scene held at rest, accelerations are rounding of what the forces would cause
+    // in a scene constrained to rest, accelerations are rounding errors of those that the forces would cause
     for (const int body : moving_) {
         const MassProperties& own = *scene_->loads.masses[at(body)];
         const BodyForce& Q = forces_[at(body)];
@@ -183,7 +183,7 @@ double Certificate::force_residual(std::span<const ProbedBody> bodies) const {
         const BodyForce Q{forces_[b].f, forces_[b].n_local + gyroscopic_torque(own.J_local, omega_local)};
         const BodyForce M_q_ddot{own.mass * body.r_ddot, own.J_local * (body.A.transpose() * body.alpha)};
         sum += body.free_way.dot(M_q_ddot.f - Q.f) + free_turn_local.dot(M_q_ddot.n_local - Q.n_local);
-        // next to driven bodies, free ones may have accelerations that are rounding only
+        // next to driven bodies, free ones may have accelerations that are only rounding errors
         const double inertia = own.mass * extent_ * extent_ + own.J_local.trace();
         const double moved = body.free_way.lpNorm<1>() / extent_ + free_turn_local.lpNorm<1>();
         size += size_of(M_q_ddot, body.free_way, free_turn_local, extent_) +

@@ -38,7 +38,7 @@ struct BodyKinematics<KnownAccelerations> {
 ///   M q̈ - Q = Φqᵀ λ for some λ,   Φq q̈ = γ
 ///
 /// The first holds if δᵀ (M q̈ - Q) = 0 for every δ with Φq δ = 0. One δ is drawn at random at each state: a
-/// residual that is orthogonal to it has probability 0. The origin of δ does not matter, since Φq δ = 0 is
+/// residual that is orthogonal to it has probability 0. How δ was made does not matter, since Φq δ = 0 is
 /// checked here too: Φq (q̈ + δ) = γ verifies both in one pass over the joints.
 ///
 /// Uses the jets of the primitives and pose, velocity and acceleration of every body; no joint tree, no

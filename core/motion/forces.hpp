@@ -32,14 +32,14 @@ SpringSpan span_of(const Spring& spring, std::span<const BodyKinematics<OmegaLoc
 double size_of(const Spring& spring, std::span<const BodyKinematics<OmegaLocal>> bodies);
 double size_of(const RotationalSpring& spring);
 
-/// Replaces the laws of springs by what they are to first order about rest at these poses.
-/// @return false if one has no rate there, or so near that rounding hides on which side of a kink it is
+/// Replaces the laws of springs by their first-order expansions about rest at these poses.
+/// @return false if a law has no slope there, or a kink so near that rounding hides on which side it is
 bool linearise_laws(Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
 
 /// Adds gravity, forces, torques, springs and dampers at time `t` [s]. Allocates nothing.
 /// @param loads centroidal, see Centroidal
 /// @param bodies one per body of the mechanism, fixed ones included, with their motion set
-/// @param forces one per body; what acts on a fixed one is added too
+/// @param forces one per body; forces on fixed bodies are added too
 void add_forces(
     const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies, double t,
     std::span<BodyForce> forces);
@@ -73,8 +73,8 @@ struct Energy {
 /// Energies at a state and a motion of the centroidal frames.
 Energy energy_of(const Centroidal& scene, const State& state, const Motion& motion);
 
-/// Potential energy of gravity and of all springs [J]; applied forces and torques have none. A law stores
-/// what it does at rest, from the free length or angle on.
+/// Potential energy of gravity and of all springs [J]; applied forces and torques have none. The energy of
+/// a law is its work at rest, from the free length or angle on.
 double potential_energy(const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
 
 }  // namespace jw

@@ -38,8 +38,8 @@ struct AppliedTorque {
     int against = -1;        ///< body that the opposite torque acts on; -1: none
 };
 
-/// Dry friction, made smooth: `size` v / √(v² + speed²) against a rate v. It is `size` times 0.71 at `speed`,
-/// 0.995 at ten times that. At rest it holds nothing: a smaller load P moves it at
+/// Dry friction, made smooth: `size` v / √(v² + speed²) against a rate v. It is 0.71 `size` at `speed` and
+/// 0.995 `size` at ten times `speed`. It is zero at rest: a load P below `size` causes the rate
 /// speed (P / size) / √(1 - (P / size)²).
 struct DryFriction {
     double size = 0.0;   ///< [N], or [N m] about an axis
@@ -51,9 +51,8 @@ struct DryFriction {
     }
 };
 
-/// Spring and damper between two points: f = k (ℓ - ℓ0) + c ℓ̇ + friction + law, pulling when positive. With
-/// an axis, ℓ is the displacement along it, which may be negative, and f acts along it at the point of body
-/// j.
+/// Spring and damper between two points: f = k (ℓ - ℓ0) + c ℓ̇ + friction + law, pulling when positive.
+/// With an axis, ℓ is the displacement along it (of either sign); f acts along it at the point of body j.
 struct Spring {
     int body_i = 0;
     int body_j = 0;
@@ -64,11 +63,10 @@ struct Spring {
     double damping = 0.0;                          ///< c [N s/m]
     std::optional<Vec3> s_i_local = std::nullopt;  ///< unit axis fixed in body i
     DryFriction friction = {};                     ///< against ℓ̇
-    std::optional<ScalarFormula> law = {};         ///< force that is added [N], of ℓ [m] and ℓ̇ [m/s]
+    std::optional<ScalarFormula> law = {};         ///< added force [N], a function of ℓ [m] and ℓ̇ [m/s]
 };
 
-/// Spring and damper about the axis of a joint: torque -k (θ - θ0) - c θ̇ - friction - law from body i on body
-/// j.
+/// Spring and damper about a joint's axis: torque -k (θ - θ0) - c θ̇ - friction - law from body i on body j.
 struct RotationalSpring {
     int body_i = 0;
     int body_j = 0;
@@ -78,7 +76,7 @@ struct RotationalSpring {
     double damping = 0.0;       ///< c [N m s/rad]
     DryFriction friction = {};  ///< against θ̇
     std::optional<ScalarFormula> law =
-        {};  ///< torque against θ [N m], of θ with its turns [rad] and θ̇ [rad/s]
+        {};  ///< torque against θ [N m], a function of θ with its turns [rad] and θ̇ [rad/s]
     bool depends_on_angle() const { return stiffness != 0.0 || law; }
 
     /// θ - θ0 at the last state of the motion [rad]. Poses determine it up to whole turns only; the turns are
@@ -122,6 +120,7 @@ struct Centroidal {
     std::vector<Vec3> centres;  ///< centre of mass of every body in its frame as given [m]
 };
 
+/// Mechanism and loads in centroidal frames.
 /// @throws std::invalid_argument if a moving body has no mass, or a mass or J' is not positive
 Centroidal centroidal(const Mechanism& mechanism, const Loads& loads);
 

@@ -92,7 +92,7 @@ public:
     }
 };
 
-/// Which constraint equations are kept as independent at a state, and how many turns each screw has made.
+/// Choice of the constraint equations kept as independent at a state, and count of the turns of screws.
 class RowSelector : public StateLayout {
 public:
     /// Chooses independent rows at y. @return true if the choice changed
@@ -111,9 +111,9 @@ public:
     /// Restores the rows from before the last choice.
     virtual void take_back_rows() {}
     /// Starts a motion at y, which satisfies the constraints. Poses determine the angle of a screw up to
-    /// whole turns only; here the turns are those that its displacement gives.
+    /// whole turns only; here the displacement of the screw gives the turns.
     virtual void begin_turns(double /*t*/, const double* /*y*/) {}
-    /// Continues the count of turns at y, the next state of the motion, from the last one by the rates.
+    /// Continues the count of turns from the last state to y, the next one of the motion, by the rates.
     virtual void follow_turns(double /*t*/, const double* /*y*/) {}
     /// Number of constraint equations, and of those left out as redundant.
     virtual int rows() const = 0;
@@ -148,8 +148,8 @@ public:
 };
 
 /// Largest rotation of a body within a step for which the nearest number of whole turns is the right one
-/// [rad]: samples are taken up to two steps behind, and two bodies that turn against each other stay within
-/// half a turn.
+/// [rad]: a sample may lie two steps before the last state, and two bodies that turn against each other stay
+/// within half a turn in that time.
 inline constexpr double kCountedTurn = 0.75;
 
 /// Chooses rows at y and keeps the choice only if it has more rows. @return true if it has
@@ -168,15 +168,15 @@ public:
     /// singular positions.
     virtual void refine(double* y_dot) = 0;
     /// Computes ẏ of a mechanism whose rows leave no freedom, as `evaluate` and `refine` would, by the
-    /// factorisation of the last `project`: for a pose that this has hardly moved, and masses that are not
-    /// far apart.
+    /// factorisation of the last `project`: for a pose that `project` has hardly moved, and masses that are
+    /// not far apart.
     virtual RowsVerdict evaluate_driven(double t, const double* y, double* y_dot) = 0;
     /// True if light bodies carry heavy ones, so that Φq M⁻¹ Φqᵀ would lose digits; known after
     /// `choose_rows`.
     virtual bool masses_are_apart() const = 0;
     /// Makes `project` independent of the masses from the next choice of rows on: for fully driven
     /// mechanisms, where exactly one pose and one motion satisfy the equations. There heavy bodies would hide
-    /// how well light ones are held.
+    /// how well light ones are constrained.
     virtual void forget_masses() = 0;
     /// True if the rows at y, taken node after node, have no pivot below `kSurelyIndependent`; then a choice
     /// of rows costs no more than an evaluation. The previous choice is lost.

@@ -31,8 +31,7 @@ struct Reaction {
     /// True if each component along the global axes x, y, z is the same in every solution.
     std::array<bool, 3> force_unique_global{true, true, true};
     std::array<bool, 3> torque_unique_global{true, true, true};
-    /// Force or torque of a driver along the quantity that it prescribes: effort times rate is its power [N,
-    /// N m].
+    /// Force or torque of a driver along its prescribed quantity [N, N m]: effort times rate is its power.
     double effort = 0.0;
 
     /// True if all components are the same in every solution.

@@ -15,8 +15,8 @@ inline constexpr double kDodge = 0.93;
 /// Least length of a step through a singular position, as a share of the last regular one.
 inline constexpr double kSmallestShare = 0.4;
 
-/// Correction of a state, in scales of the motion, that keeps it on its branch. Where two branches cross,
-/// their velocities differ by more, however near their positions are.
+/// Largest correction of a state, in scales of the motion, that leaves it on its branch. Where two branches
+/// cross, their velocities differ by more, however near their positions are.
 inline constexpr double kOneMotion = 1e-2;
 
 /// Rounding of an acceleration near a singular position, relative to the square of the fastest rotation:
@@ -28,8 +28,8 @@ inline double rounding_of_acceleration(double pivot) {
 }
 
 /// Largest error, in scales of the motion, with which a step through a singular position is accepted for any
-/// tolerance. Up to here it is rounding, a thousand times that of an acceleration; a larger one is an error
-/// of the motion.
+/// tolerance. Up to this limit it is rounding, a thousand times that of an acceleration; a larger error is
+/// one of the motion.
 inline constexpr double kMostErrorThrough = 1e-2;
 inline double most_error_through(double pivot) {
     constexpr double worst_of_many = 1e3;

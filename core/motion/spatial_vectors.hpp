@@ -79,16 +79,16 @@ JW_INLINE InertiaOf<V> operator+(const InertiaOf<V>& a, const InertiaOf<V>& b) {
     return {a.M + b.M, a.H + b.H, a.J + b.J};
 }
 
-/// Inertia of a body, J about its centre of mass, at a point that lies `arm` before the centre of mass.
+/// Inertia of a body, J about its centre of mass, at the point from which `arm` leads to the centre of mass.
 template <Lanes V>
 JW_INLINE InertiaOf<V> inertia_at_root(double mass, const Columns<V>& J, const V& arm) {
     const V moment = -mass * arm;
     return {diagonal<V>(mass), tilde(moment), J - diagonal<V>(dot(arm, moment)) + dyad(arm, moment)};
 }
 
-/// Transfers an inertia to the point that lies `arm` before its own: Xᵀ I X, with X the transfer of
-/// accelerations from there to here. J + ã H + (ã H)ᵀ - ã M ã is computed as J + ã K + (ã K)ᵀ with K the mean
-/// of the two H.
+/// Transfers an inertia to the point from which `arm` leads to its own: Xᵀ I X, with X the transfer of
+/// accelerations from that point to its own. J + ã H + (ã H)ᵀ - ã M ã is computed as J + ã K + (ã K)ᵀ with K
+/// the mean of the two H.
 template <Lanes V>
 JW_INLINE InertiaOf<V> at_root_of(const InertiaOf<V>& inertia, const V& arm) {
     const Columns<V> H = inertia.H - times_tilde(inertia.M, arm);

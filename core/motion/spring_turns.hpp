@@ -7,8 +7,8 @@
 
 namespace jw {
 
-/// Twists of rotational springs along a motion whose joints have their turns counted (FollowedAngles): its
-/// poses may lie several turns of a spring apart.
+/// Twists of rotational springs along a motion in which the turns of joints are counted (FollowedAngles): two
+/// of its poses may lie several turns of a spring apart.
 class SpringTurns {
 public:
     /// @param scene may be null
@@ -23,11 +23,11 @@ private:
     struct Turning {
         std::size_t joint = 0;
         int theta = -1;      ///< index of its θ, which includes turns
-        double begin = 0.0;  ///< angle at the begin, with turns [rad]
+        double begin = 0.0;  ///< angle at the beginning, with turns [rad]
     };
     double angle_of(const Turning& turning, const State& state, const std::vector<int>& turns) const;
 
-    std::shared_ptr<const Centroidal> scene_;  ///< twisted as at the begin
+    std::shared_ptr<const Centroidal> scene_;  ///< its springs are twisted as at the beginning
     std::vector<Turning> turning_;             ///< one per rotational spring
 };
 

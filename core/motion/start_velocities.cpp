@@ -12,7 +12,7 @@ namespace jw {
 
 namespace {
 
-// dense free motions of 300 columns take about as long as the motion
+// dense free motions of 300 columns take about as long to compute as the motion
 constexpr Eigen::Index kMostBodies = 50;
 // four typed digits: a difference above their rounding is another velocity
 constexpr double kTyped = 1e-4;
@@ -47,8 +47,8 @@ public:
     const VectorX& missing() const { return missing_; }  ///< in extents per second and rad/s
     bool has_rates() const { return !rates_.empty(); }
 
-    /// True if each condition is met to the digits typed: velocities of bodies to those of the fastest one,
-    /// a rate to its own.
+    /// True if each condition is met to the typed digits: velocities of bodies relative to the fastest given
+    /// one, a rate relative to itself.
     bool is_met(const VectorX& missing) const {
         const auto rates = static_cast<Eigen::Index>(rates_.size());
         const Eigen::Index of_bodies = missing.size() - rates;
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    /// The next `count` rows, zero.
+    /// Appends `count` zero rows. @return index of the first one
     Eigen::Index next(Eigen::Index count) {
         const Eigen::Index first = missing_.size();
         rows_.conservativeResize(first + count, Eigen::NoChange);
@@ -77,7 +77,7 @@ private:
         return first;
     }
 
-    /// Adds those of a body, whose six columns begin with `first`.
+    /// Adds the conditions of a body, whose six columns begin with `first`.
     void add(const Body& body, const Vec3& centre, const double* numbers, Eigen::Index first) {
         const Vec3 omega_local = vec3(numbers + 10);
         if (!body.omega_local.isZero(0.0)) {
@@ -95,7 +95,7 @@ private:
         }
     }
 
-    /// Adds the rate of a measure of a joint.
+    /// Adds the condition that a measure of a joint has the given rate.
     void add(
         const Joint& joint, const Measure& measure, double rate, const State& state, const Motion& motion) {
         const auto body = [&](int b) {
@@ -117,7 +117,7 @@ private:
 
     double length_;
     double fastest_;                           ///< largest given velocity
-    std::vector<Eigen::Index> order_of_body_;  ///< among those that move; -1: it does not
+    std::vector<Eigen::Index> order_of_body_;  ///< index among the moving bodies; -1 for a fixed one
     MatrixX rows_;
     VectorX missing_;
     std::vector<double> rates_;  ///< sizes of the given rates of joints, which are the last conditions
@@ -148,8 +148,8 @@ void keep_given_velocities(
     if (bodies > (asked.has_rates() ? kMostBodiesWithRates : kMostBodies)) { return; }
     const MatrixX free = equations.free_motions(0.0, y.data());
     if (free.cols() == 0) { return; }
-    // each singular vector is a motion that changes one combination of the conditions; of all that change it,
-    // the shortest, since free motions are orthonormal in that metric
+    // each singular vector is a motion that changes one combination of the conditions, and the shortest such
+    // motion, since free motions are orthonormal in their metric
     const Svd svd = svd_of(asked.rows() * free);
     VectorX six = VectorX::Zero(free.rows());
     for (Eigen::Index k = 0; k < svd.sigma.size(); ++k) {

@@ -9,7 +9,7 @@ namespace jw {
 
 namespace {
 
-// nearer times are rounding of one
+// times that are nearer to each other differ by rounding only
 constexpr double kSameTime = 1e-12;
 
 /// Calls `f` with every function of time that moves the scene.
@@ -35,7 +35,7 @@ std::vector<TimeEvent> events_until(double end, const Centroidal& scene) {
     };
     for (const double t : jumps) { add(t, true); }
     for (const double t : swings) { add(t, false); }
-    // of those at one time, the one with a jump stays
+    // events at the same time become one, which jumps if any of them jumps
     std::ranges::stable_sort(events, {}, &TimeEvent::t);
     std::vector<TimeEvent> apart;
     for (const TimeEvent& event : events) {

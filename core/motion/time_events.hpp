@@ -4,7 +4,7 @@
 
 #include "core/motion/loads.hpp"
 
-/// Bounds on adaptive steps from the functions of time of a scene: stages do not see what lies between them.
+/// Bounds on adaptive steps from a scene's functions of time: a method would miss changes between its stages.
 namespace jw {
 
 /// Time at which a step must end.

@@ -32,12 +32,12 @@ public:
     };
 
     BlockStructure() = default;
-    /// Orders by minimum degree; of equals, the lowest node first.
+    /// Orders the nodes by minimum degree; of equal ones, the lowest node comes first.
     /// @param neighbours [n]: nodes that share a block with node n, without n itself, each once
     explicit BlockStructure(const std::vector<std::vector<int>>& neighbours);
 
     int nodes() const { return static_cast<int>(position_.size()); }
-    /// Number of stored blocks: the diagonal ones in the order of the nodes, then those above.
+    /// Number of stored blocks: the diagonal ones in the order of the nodes, then those above the diagonal.
     int blocks() const { return blocks_; }
     /// Pivots in the order of elimination.
     const std::vector<Pivot>& pivots() const { return pivots_; }

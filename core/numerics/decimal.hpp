@@ -6,7 +6,7 @@ namespace jw {
 
 /// Number that a text begins with, as std::from_chars reads it: the nearest double, including "inf" and
 /// "nan", independent of the locale; without a sign + and without a space before it. Some standard libraries
-/// lack it for double (libc++ up to version 18).
+/// lack std::from_chars for double (libc++ up to version 18).
 /// @param[out] value  unchanged unless a number was read
 /// @return end of the number and an error as std::from_chars gives it
 std::from_chars_result read_decimal(const char* first, const char* last, double& value);

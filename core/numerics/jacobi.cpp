@@ -80,7 +80,7 @@ private:
         if (std::abs(product) <= tolerance_ * size) { return; }
         rotated_ = true;
         const double zeta = (squared_(q) - squared_(p)) / (2.0 * product);
-        // the square overflows only where the columns are 1e150 apart: then there is nothing to turn
+        // the square overflows only if the norms differ by a factor of 1e150: then no rotation is needed
         const double t = (zeta < 0.0 ? -1.0 : 1.0) / (std::abs(zeta) + std::sqrt(1.0 + zeta * zeta));
         const double c = 1.0 / std::sqrt(1.0 + t * t);
         const double s = c * t;

@@ -5,8 +5,8 @@
 #include "core/numerics/triples.hpp"
 
 /// Sines and cosines of many angles at once, with bit-identical results on every machine. Computed one by
-/// one, they took a sixth of an evaluation in joint coordinates; those of core/elementary have half the
-/// error.
+/// one, they took a sixth of the time of an evaluation in joint coordinates. The functions of core/elementary
+/// have half the error.
 namespace jw {
 
 /// Four angles [rad] with their cosines and sines.

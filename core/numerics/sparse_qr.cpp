@@ -166,7 +166,7 @@ void SparseQr::eliminate(std::size_t f, double least) {
         repeating_.push_back(numbers.rows[at(c)]);
     }
 
-    // at most as many lines for the parent as later columns
+    // the parent receives at most as many lines as the front has later columns
     const int later = columns - front.own;
     numbers.compressed = numbers.lines - line > later;
     if (numbers.compressed) {

@@ -87,10 +87,10 @@ public:
     void solve_lower(VectorX& c) const;
     /// Solves in place, scaled: v_P becomes R_P⁻¹ (v_P - R_R v_R).
     void solve_upper(VectorX& v) const;
-    /// Multiply by Q and Qᵀ in place; the numbers of independent rows are at `slot_of`.
+    /// Multiplies by Q or Qᵀ in place; the number that belongs to an independent row is at `slot_of(row)`.
     void multiply_by_q(VectorX& y) const;
     void multiply_by_q_transposed(VectorX& y) const;
-    /// Index, among the columns, of the number of an independent row.
+    /// Index, among the columns, of the number that belongs to an independent row.
     int slot_of(int row) const { return slot_of_row_[static_cast<std::size_t>(row)]; }
 
 private:
@@ -103,7 +103,7 @@ private:
         int lines = 0;            ///< lines in the front
         int counted = 0;          ///< pivots among its own columns
         int handed = 0;           ///< lines passed to the parent, after the counted ones
-        bool compressed = false;  ///< whether those are an upper triangle
+        bool compressed = false;  ///< true if the passed lines are an upper triangle
         std::size_t values = 0;   ///< offset of its lines x columns, column by column
         std::vector<int> slots;   ///< index among the columns of Φq of every line
         std::vector<int> rows;    ///< rows of Φq, one per column, own ones as pivoted

@@ -76,7 +76,7 @@ std::vector<std::set<int>> neighbours_of(const Groups& all) {
 
 struct Elimination {
     std::vector<int> order;               ///< groups
-    std::vector<std::vector<int>> later;  ///< neighbours of each left when it is eliminated
+    std::vector<std::vector<int>> later;  ///< of each, the neighbours left when it is eliminated
 };
 
 /// Eliminates the groups by minimum degree or in the given order; the neighbours of a group become neighbours

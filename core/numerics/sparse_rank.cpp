@@ -89,7 +89,7 @@ SparseCombination combination_of(
             rows.rows[at(repeating)], [&](int c, double value) { difference(c) -= value / row(repeating); });
         return difference.cwiseProduct(column).norm();
     };
-    // a left null vector of this length leaves at most σ_(r+1) times its length
+    // a left null vector of this length leaves a misfit of at most σ_(r+1) times its length
     const double bound = next_at_most * std::sqrt(1.0 + v.squaredNorm());
     const double size = v.cwiseAbs().maxCoeff();
     VectorX terms;

@@ -46,7 +46,7 @@ struct SparseRows {
     void multiply(const VectorX& x, VectorX& out) const;
     /// Φqᵀ λ
     VectorX transposed_times(const VectorX& lambda) const;
-    /// Writes Φq to a matrix [rows x columns], allocated before.
+    /// Writes Φq to a matrix [rows x columns] that is already allocated.
     void write(MatrixX& matrix) const;
 };
 

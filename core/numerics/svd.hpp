@@ -39,7 +39,7 @@ struct Svd {
 ///         (2008), algorithms 1 and 2; the algorithm of LAPACK's dgejsv
 Svd svd_of(const MatrixX& matrix);
 
-/// Measures misfit, orthogonality, norm defect and error of `svd`, independent of how its U, σ and V were
+/// Measures misfit, orthogonality, norm defect and error of `svd`, independently of how its U, σ and V were
 /// found, and sets `sound`; svd_of has called it.
 void check_svd(const MatrixX& matrix, Svd& svd);
 

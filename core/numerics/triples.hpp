@@ -1,7 +1,7 @@
 #pragma once
 
 #if __has_include(<sys/platform/x86.h>)
-// glibc writes C there: in C++, clang has no _Bool
+// this header of glibc is written in C: in C++, clang has no _Bool
 #if defined(__clang__)
 #define _Bool bool
 #endif

@@ -32,7 +32,7 @@ double alignment(const Joint& joint, const State& state) {
     return s_i.dot(turned(state, joint.body_j, joint.geometry.s_j_local.normalized()));
 }
 
-/// True if the axes of the constraint's joint are held together; false where equations were removed by hand.
+/// True if the axes of the constraint's joint are kept parallel; false where equations were removed by hand.
 bool axes_held(const System& system, const Constraint& c, const State& state) {
     for (const Constraint& other : system.constraints()) {
         if (other.joint != c.joint || other.role != Role::axes_parallel || other.taken_out == 0) { continue; }
@@ -43,7 +43,7 @@ bool axes_held(const System& system, const Constraint& c, const State& state) {
     return true;
 }
 
-/// Cosine of the angle by which a joint's θ, or a wheel that follows it, is off its bodies.
+/// Cosine of the angle by which a joint's θ, or a wheel that follows it, differs from the pose of the bodies.
 double cosine_of_theta(const Constraint& c, const Joint& joint, const State& state) {
     const double theta = state.theta[static_cast<std::size_t>(c.theta)];
     const auto* wheel = std::get_if<Wheel>(&c.primitive);
@@ -53,7 +53,7 @@ double cosine_of_theta(const Constraint& c, const Joint& joint, const State& sta
     return elementary::cos(angle.value(0) - wheel->ratio * theta);
 }
 
-/// A constraint that two values of θ, half a turn apart, satisfy.
+/// True for a constraint that two values of θ, half a turn apart, satisfy.
 bool has_two_angles(const Constraint& c, const Joint& joint) {
     if (std::holds_alternative<Wheel>(c.primitive)) { return true; }
     return c.role == Role::screw_angle && joint.geometry.screw_angle_form == ScrewAngleForm::rotation;

@@ -22,19 +22,19 @@ struct WrongBranch {
 /// entry per constraint of the system.
 std::vector<int> intended_sides(const System& system);
 
-/// First constraint that is satisfied on the wrong branch at `state`. A joint whose axes are not held
-/// together, because equations were removed by hand, has only one branch: a pose that looks wrong there can
+/// First constraint that is satisfied on the wrong branch at `state`. A joint whose axes are not kept
+/// parallel, because equations were removed by hand, has only one branch: a pose that looks wrong there can
 /// be reached by moving.
 /// @param sides from `intended_sides`
 std::optional<WrongBranch> find_wrong_branch(
     const System& system, const State& state, const std::vector<int>& sides);
 
-/// True if the equations dropped by the rule of slide 5 hold. If one does not although the others do, the
+/// True if the equations left out by the rule of slide 5 hold. If one does not although the others do, the
 /// kept pair has lost rank on the way, and rows must be chosen again. Rows left out on purpose are not
 /// checked.
 bool left_out_rows_hold(const System& system, const State& state);
 
-/// True if a state is not on a wrong branch and the dropped rows hold.
+/// True if a state is not on a wrong branch and the rows left out by the rule hold.
 bool is_meant(const System& system, const State& state, const std::vector<int>& sides);
 
 /// Turns a body (or θ) by half a turn about the joint, so that Newton's method starts near the right branch.

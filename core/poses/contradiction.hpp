@@ -18,7 +18,7 @@ struct Contradiction {
     std::vector<int> drivers;
     /// Primitive of the last joint with the largest residual if all other equations hold.
     Role role = Role::same_point;
-    /// Its gap then: an angle [rad] for axes, sides and a screw's θ, else a length [m].
+    /// Gap of this primitive then: an angle [rad] for axes, sides and a screw's θ, else a length [m].
     double gap = 0.0;
     /// Value that the last driver prescribes, and its actual value if all other equations hold [rad, m, -].
     double asked = 0.0;

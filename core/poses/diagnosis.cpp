@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFlatGradient = 1e-5;  // relative to |Φq||Φ|: the residual cannot be reduced further
 // directions below this share of the largest singular value count as lost if the residual is as large: a loop
-// that misses by its typed digits slides along them without end
+// that does not close because of its typed digits slides along them without end
 constexpr double kLargestSlack = 1e-3;
 constexpr double kLostSingularValue = 1e-6;  // relative to the largest, at the closest fit
 // if the gradient vanishes at a maximum or a saddle point (parallel arms of a universal joint, a rod without

@@ -33,9 +33,9 @@ struct PositionFailure {
     std::optional<Contradiction> contradiction = std::nullopt;  ///< contradicting parts, if they were found
 };
 
-/// Diagnoses a Newton run from `start` that ended at `reached` without converging: whether an equation has
-/// no value at `start`, or `reached`, or the state that damped steps from `start` lead to, is a closest fit
-/// of parts that cannot meet.
+/// Diagnoses a Newton run from `start` that ended at `reached` without converging: whether an equation has no
+/// value at `start`; or whether `reached`, or the state to which damped steps from `start` lead, is a closest
+/// fit of parts that cannot meet.
 PositionFailure diagnose(
     const System& system, const State& start, const State& reached, double t, int iterations);
 

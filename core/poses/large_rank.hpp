@@ -10,7 +10,7 @@ namespace jw {
 /// without a request.
 inline constexpr int kMostColumnsWithSpectrum = 300;
 
-/// Reaches the verdicts of analyse_rank by a factorisation whose work grows with the bodies, not with their
+/// Finds the verdicts of analyse_rank by a factorisation whose work grows with the bodies, not with their
 /// cube. If its error bounds do not prove the verdict of the singular values, these are computed as well.
 /// @param jacobian the (r, ω') matrix at a state, as Assembler<OmegaLocal>::sparse_jacobian gives it
 /// @param phi residuals at that state

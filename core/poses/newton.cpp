@@ -78,7 +78,7 @@ NewtonStep NewtonStepper<C>::look() {
     step.phi_norm = phi.norm();
     Eigen::Index largest = 0;
     step.residual = phi.cwiseQuotient(scaling_.row).cwiseAbs().maxCoeff(&largest);
-    // a comparison with NaN drops it
+    // comparisons ignore NaN
     if (!phi.allFinite()) { step.residual = HUGE_VAL; }
     step.largest_row = static_cast<int>(largest);
     step.largest_value = phi(largest);
@@ -125,8 +125,8 @@ int NewtonStepper<C>::solve_for_delta(double residual) {
     least_squares_.compute(assembler_.sparse_jacobian());
     right_side_ = -assembler_.phi();
 
-    // off the solution redundant rows look independent by about the residual: omit them if the rest is still
-    // predicted to close
+    // away from the solution, redundant rows look independent by about the residual: omit them if the rest is
+    // still predicted to close
     const double tied = std::clamp(10.0 * residual, kNewtonThreshold, kLargestThreshold);
     const int full_rank = least_squares_.rank(kNewtonThreshold);
     const int tied_rank = least_squares_.rank(tied);

@@ -118,8 +118,8 @@ NewtonOutcome solve(Stepper& stepper, Observer&& on_step = {}) {
 /// Most iterations from a good prediction: quadratic convergence needs 4.
 inline constexpr int kMostFromPrediction = 8;
 
-/// Newton's method from a prediction near its solution, which is in `newton` then.
-/// @return false if it does not converge soon
+/// Applies Newton's method to a prediction near the solution, which is then in `newton`.
+/// @return false if it does not converge within kMostFromPrediction iterations
 inline bool correct_prediction(NewtonStepper<OmegaLocal>& newton, const State& prediction, double t) {
     newton.start(prediction, t);
     for (int k = 0; k <= kMostFromPrediction && !newton.outcome(); ++k) { newton.step(); }

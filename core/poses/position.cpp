@@ -44,8 +44,8 @@ bool is_met(const System& system, const State& state, double t) {
     return equations.phi().allFinite() && equations.phi().cwiseAbs().maxCoeff() <= kFloorTolerance;
 }
 
-/// True if a formula is far smaller, where a solution is, than where its size was taken: what is left of it
-/// may be more than rounding there.
+/// True if a formula is far smaller at a solution than where its size was taken: its residual may then be
+/// more than rounding there.
 bool is_smaller_there(const System& system, const State& state) {
     const auto has_formula = [](const Constraint& c) { return c.role == Role::formula; };
     if (std::ranges::none_of(system.constraints(), has_formula)) { return false; }

@@ -194,7 +194,7 @@ void judge(RankReport& report, const Svd& svd) {
     report.singular_value_error = svd.error;
     report.sound = svd.sound;
     const double error = report.assembled ? kErrorFactor * report.residual : 0.0;
-    // rows have size 1: a matrix of rounding only has rank 0
+    // rows have size 1: a matrix that consists of rounding has rank 0
     report.threshold = std::max(kRankThreshold, error) * std::max(1.0, sigma(0));
     report.rank = static_cast<int>(svd.rank(report.threshold));
     report.dof = report.columns - report.rank;

@@ -10,8 +10,8 @@
 /// rows pᵀp = 1 hides redundancy, since a change of |p| acts as a false freedom.
 namespace jw {
 
-/// Relative threshold of a vanishing singular value. A redundant one is about half the position error, so the
-/// threshold is `kErrorFactor` times the residual if that is larger.
+/// Relative threshold of a vanishing singular value. That of a redundant row is about half the position
+/// error, so the threshold is `kErrorFactor` times the residual if that is larger.
 inline constexpr double kRankThreshold = 1e-9;
 inline constexpr double kErrorFactor = 10.0;
 /// Residual (scaled) above which the state counts as not assembled, and the rank is that of the matrix only.
@@ -100,7 +100,7 @@ std::vector<int> removable_rows(const RankReport& report);
 VectorX singular_values_of(const MatrixX& matrix);
 
 /// Explains the choice of rows of one p1 / p2 constraint at `state`: the condition of each pair of rows.
-/// @param previous the index dropped before
+/// @param previous the index that was left out before
 RowChoice explain_choice(const System& system, int constraint, const State& state, int previous);
 
 }  // namespace jw

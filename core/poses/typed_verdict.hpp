@@ -4,7 +4,7 @@
 
 namespace jw {
 
-/// Puts into the report on all joints of a mechanism what their digits leave undecided.
+/// Adds the verdict on typed digits to the report, if that is on all joints of the mechanism.
 inline void take_typed_verdict(const System& system, RankReport& report) {
     const Mechanism& mechanism = system.mechanism();
     if (!mechanism.typed || system.selection().joints.size() != mechanism.joints.size()) { return; }

@@ -44,7 +44,7 @@ Energy energy_rate_of(
     Loads conservative = scene.loads;
     conservative.forces.clear();
     conservative.torques.clear();
-    // nothing moves in these bodies, so dampers have no force and laws that of rest
+    // these bodies are at rest, so dampers have no force, and laws give their force at rest
     const auto bodies = kinematics_of(state);
     std::vector<BodyForce> forces(bodies.size());
     add_forces(conservative, bodies, 0.0, forces);
@@ -83,7 +83,7 @@ private:
     /// left out if these are not known.
     QuantityValue with_accelerations(std::array<double, 3> numbers, int first_of_accelerations) const;
     Mat3 A(int body) const { return rotation_matrix(instant_->state.p[at(body)]); }
-    /// Zero if it is not known; the caller leaves out what follows from it.
+    /// Acceleration of the origin; zero if it is not known: the caller omits the values that depend on it.
     Vec3 r_ddot(int body) const {
         return instant_->acceleration ? instant_->acceleration->r_dot[at(body)] : Vec3::Zero();
     }

@@ -49,11 +49,11 @@ private:
 enum class Absence {
     none,
     no_masses,        ///< the instant has no scene
-    no_acceleration,  ///< its further motion is not known
-    no_derivative,    ///< it does not have one, or none that is computed
+    no_acceleration,  ///< the acceleration at the instant is not known
+    no_derivative,    ///< the derivative does not exist, or is not computed
     not_unique,       ///< redundant equations leave it undetermined
     not_there,        ///< its joint or driver does not take part
-    no_motion_of_it,  ///< a reaction that does not hold the motion: the pose is not part of it
+    no_motion_of_it,  ///< reactions cannot balance the loads: the pose is not part of the motion
     rank_lost,        ///< a pair that has lost rank has no condition
     singular          ///< the rate of a root does not exist at 0
 };

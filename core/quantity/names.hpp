@@ -25,7 +25,7 @@ struct ReadName {
     NamedQuantity named;
     /// Present name, if `text` is a former one; otherwise empty.
     std::string name_of_today;
-    /// The name does not give the point of a body: "crank.point.x".
+    /// True if the name does not give the point of a body: "crank.point.x".
     bool wants_point = false;
 };
 

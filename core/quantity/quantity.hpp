@@ -14,7 +14,7 @@ namespace jw {
 /// Unit of a number before any "per second".
 enum class Unit { none, metre, radian, joule, newton, newton_metre };
 
-/// A unit per so many seconds: rad/s is {radian, 1}.
+/// A unit divided by a power of seconds: rad/s is {radian, 1}.
 struct UnitRate {
     Unit unit = Unit::none;
     int per_s = 0;
@@ -107,7 +107,7 @@ struct ReactionQuantity {
 /// Force or torque of a driver along the quantity that it prescribes: effort times rate is its power.
 struct EffortQuantity {
     int driver = 0;
-    bool is_torque = false;  ///< it drives an angle
+    bool is_torque = false;  ///< the driver prescribes an angle
 };
 
 /// |p| - 1 of a body.
@@ -140,7 +140,7 @@ using Quantity = std::variant<
 /// Dimension of the quantity itself; its n-th derivative has n more "per second".
 UnitRate dimension_of(const Quantity& quantity);
 
-/// Unit of what a driver prescribes by its measure; a squared distance stands for the distance.
+/// Unit of the quantity that a driver prescribes by its measure; a squared distance stands for the distance.
 Unit unit_of(const Measure& measure);
 
 /// Number of derivatives that have a meaning and are known: 0, 1 or 2.
@@ -149,12 +149,12 @@ int derivatives_of(const Quantity& quantity);
 /// True if a pose gives the quantity only up to whole turns.
 bool is_modulo_turn(const Quantity& quantity);
 
-/// True for quantities of a motion by masses and forces: energies, reactions, efforts.
+/// True for quantities that depend on masses and forces: energies, reactions, efforts.
 bool needs_masses(const Quantity& quantity);
 
-/// The joint that it belongs to, -1 for none.
+/// Joint to which the quantity belongs, -1 for none.
 int joint_of(const Quantity& quantity);
-/// The driver that it belongs to, -1 for none.
+/// Driver to which the quantity belongs, -1 for none.
 int driver_of(const Quantity& quantity);
 
 }  // namespace jw

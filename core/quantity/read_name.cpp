@@ -34,7 +34,7 @@ bool take(std::string_view& text, std::string_view start) {
 /// Takes "_dot" or "_ddot" from the front.
 int take_dots(std::string_view& text) { return take(text, "_ddot") ? 2 : take(text, "_dot") ? 1 : 0; }
 
-/// Takes "[0.5 0 1e-3]" from the front, with at most one blank between numbers.
+/// Takes "[0.5 0 1e-3]" from the front, with one blank between numbers.
 std::optional<Vec3> take_vector(std::string_view& text) {
     if (!take(text, "[")) { return std::nullopt; }
     Vec3 v = Vec3::Zero();

@@ -18,23 +18,23 @@ namespace {
 constexpr int kMostSteps = 10000;
 // largest movement of a body in a step: turn [rad] or displacement [extents]
 constexpr double kLongestStep = 0.2;
-// a shorter one is rounding of the poses
+// a shorter step is rounding of the poses
 constexpr double kSmallestStep = 1e-13;
-// residual from which on a search that gets no further has found its equilibrium: rounding of the loads,
-// times the condition of the constraints
+// largest residual at which a search without progress has found its equilibrium: rounding of the loads, times
+// the condition of the constraints
 constexpr double kAtRest = 1e-9;
-// Newton's method, and descent in a flat valley (a force that grows as the cube of the way: 8/27), fall
-// faster
+// in Newton's method, and in descent in a flat valley (a force that grows as the cube of the way: 8/27), the
+// residual falls faster
 constexpr double kStillFalls = 0.5;
-// share of what a step promises that it has to keep (Armijo)
+// share of its first-order prediction that a step has to achieve (Armijo)
 constexpr double kSufficient = 1e-4;
 constexpr int kMostDoublings = 100;
-// of the last μ: near it, the next one is found in a few doublings
+// share of the last μ at which the search for the next one begins: a few doublings find it
 constexpr double kShareOfLast = 0.125;
-// steps that the proof rejects, each half as long as the one before, until it is asked whether rounding hides
-// the branch
+// number of steps that the proof rejects, each half as long as the previous one, before it is checked whether
+// rounding hides the branch
 constexpr int kRejectedUntilAsked = 4;
-// the next step may be so much longer than the last one
+// factor by which the next step may be longer than the last one
 constexpr double kGrowthOfReach = 2.0;
 constexpr double kSoft = 1e-9;  // share of a matrix with which μ begins
 // of loads and reactions: rounding, times the condition of the constraints
@@ -43,7 +43,7 @@ constexpr int kMostPolished = 20;  // Newton's method needs 4 from there on
 // where nothing stops the bodies, the forces stay the same on the whole way
 constexpr int kStepsBetweenLooks = 200;
 constexpr double kUnchanged = 1e-6;
-// poses whose rank is compared with that of an equilibrium, and how far from it [rad, extents]
+// number of poses whose rank is compared with that of an equilibrium, and their distance [rad, extents]
 constexpr int kPosesBeside = 4;
 constexpr double kBeside = 1e-2;
 
@@ -139,12 +139,12 @@ private:
         if (!is_nearest()) { return towards_rest(K); }
         const VectorX& push = here_->push();
         const VectorX downhill = K.transpose() * push;
-        // where |Nᵀ Q| is largest, any way leads down: the one along the forces
+        // at a maximum of |Nᵀ Q| every direction leads down: the step follows the forces
         return downhill.isZero(0.0) ? limited(K, push) : limited(K.transpose() * K, downhill);
     }
 
-    /// A step with K; where the forces grow along the way, as if they fell as fast: along each eigenvector of
-    /// its symmetric part, the eigenvalue has its size. So it leads along the forces.
+    /// Step with K in which each eigenvalue of its symmetric part is replaced by its absolute value: forces
+    /// that grow along the step count as if they fell as fast. So the step leads along the forces.
     VectorX towards_rest(const MatrixX& K) {
         const Eigen::SelfAdjointEigenSolver<MatrixX> eigen(MatrixX(0.5 * (K + K.transpose())));
         const VectorX& lambda = eigen.eigenvalues();
@@ -154,8 +154,7 @@ private:
         for (Eigen::Index k = 0; k < push.size(); ++k) {
             const bool is_rounding =
                 std::abs(push(k)) <= kRoundingOfForces * here_->work_of_sizes(here_->free().col(k));
-            // a freedom without stiffness would be moved far by rounding; from a summit nothing pushes it
-            // away
+            // rounding would move a freedom without stiffness far; from a summit, nothing pushes it away
             if (is_rounding && lambda(k) <= errors(k)) { push(k) = 0.0; }
             is_pushed_away_ = is_pushed_away_ || (!is_rounding && lambda(k) < -errors(k));
         }
@@ -190,8 +189,8 @@ private:
         return correct_prediction(newton_, prediction, t_) && is_meant(system_, newton_.state(), sides_);
     }
 
-    /// Takes the longest part of a whole step that keeps what it promises to first order, and stays on the
-    /// branch: the forces do work on all of it, or |Nᵀ Q| falls. @return false if there is none
+    /// Takes the longest part of a whole step that achieves a share of its first-order prediction and stays
+    /// on the branch: the forces do work on all of it, or |Nᵀ Q| falls. @return false if there is none
     bool step(const VectorX& along) {
         const VectorX columns = here_->free() * along;
         const double work = here_->push().dot(along);

@@ -10,7 +10,7 @@ namespace jw {
 
 /// Kind of equilibrium that is looked for.
 enum class Seek {
-    where_it_rests,  ///< the forces push the mechanism from the start to it: not an unstable one
+    where_it_rests,  ///< the one to which the forces push the mechanism from the start; not unstable
     nearest,         ///< the one to which Newton's method leads from the start, stable or not
 };
 
@@ -20,7 +20,7 @@ struct RestOutcome {
         none,
         endless,         ///< the forces push on, and do not change
         too_many_steps,  ///< the equilibrium is far away, or only short steps are proved
-        no_step,         ///< they push, but no step in their direction is proved to stay on the branch
+        no_step,         ///< the forces push, but no step along them is proved to stay on the branch
         no_descent,      ///< `nearest`: no step decreases the forces
     };
     Failure failure = Failure::none;
@@ -42,10 +42,10 @@ struct RestOutcome {
 /// `where_it_rests` follows the forces like a motion so heavily damped that it has no velocity: each step
 /// solves (|K| + μ I) δ = Q along the freedoms, orthonormal in M, with μ such that no body turns by more than
 /// a fifth of a radian. |K| is K where it is positive definite; elsewhere the eigenvalues of its symmetric
-/// part have their sizes, so that the step leads along the forces. Near a stable equilibrium μ is 0, and this
-/// is Newton's method. `nearest` reduces |Q| along the freedoms, in the metric of M⁻¹, by damped least
-/// squares. Every step is corrected by Newton's method on Φ; in loops it is taken only if it is proved that
-/// it stays on its branch.
+/// part have their absolute values, so that the step leads along the forces. Near a stable equilibrium μ is
+/// 0, and this is Newton's method. `nearest` reduces |Q| along the freedoms, in the metric of M⁻¹, by damped
+/// least squares. Every step is corrected by Newton's method on Φ; in loops it is taken only if it is proved
+/// that it stays on its branch.
 /// @param start of the centroidal frames, satisfies the constraints at time `t` [s]
 /// @source slide 24 with q̇ = q̈ = 0
 RestOutcome find_equilibrium(const Centroidal& scene, const State& start, double t, Seek seek);

@@ -16,13 +16,13 @@ namespace {
 // movement of a body in a difference: for four poses, h⁴ and the rounding of loads divided by h are both
 // about 1e-12 of them
 constexpr double kStep = 1e-3;
-// of all inertia, for an artificial coordinate that moves alone: it must not be without any
+// share of all inertia that an artificial coordinate gets if it moves alone: it needs some inertia
 constexpr double kInertiaOfTheta = 1e-9;
 constexpr double kAlone = 1e-9;
 // least length of a spring that bounds the step of a difference, in extents
 constexpr double kShortestSpring = 1e-6;
 constexpr double kLeastInertia = 1e-15;
-// of all loads: what acts on a body without any load, since freedoms are computed together
+// share of all loads: rounding on a body without any load, since freedoms are computed together
 constexpr double kNothing = 1e-14;
 
 /// A vector of numbers between -1 and 1, the same on every machine.
@@ -67,8 +67,8 @@ VectorX FreeForces::force_at(const State& state, const Motion* velocity) const {
     return out;
 }
 
-/// Adds up what each load and the reactions do by themselves: those that cancel each other leave rounding of
-/// their sizes.
+/// Adds up the sizes of each load and of the reactions: those that cancel each other leave rounding of their
+/// sizes.
 void FreeForces::measure_loads() {
     const Loads all = loads_;
     sizes_.assign(all.masses.size(), 0.0);
@@ -129,7 +129,7 @@ bool FreeForces::moves_theta_alone() {
     return false;
 }
 
-/// Freedoms are the free parts of random columns, made orthonormal in M by a factorisation of their Gram
+/// Finds freedoms: the free parts of random columns, made orthonormal in M by a factorisation of their Gram
 /// matrix; twice, since random columns are almost parallel where there are many.
 void FreeForces::find_freedoms() {
     std::mt19937 random(1);
@@ -150,7 +150,7 @@ void FreeForces::find_freedoms() {
         const Eigen::LDLT<MatrixX> gram(MatrixX(free_.transpose() * weighted));
         MatrixX rows = gram.transpositionsP() * free_.transpose();
         MatrixX(gram.matrixL()).triangularView<Eigen::UnitLower>().solveInPlace(rows);
-        // masses so far apart that rounding hides the light ones
+        // masses may differ so much that rounding hides the light ones
         const double least = kLeastInertia * gram.vectorD().maxCoeff();
         free_ = rows.transpose() * gram.vectorD().cwiseMax(least).cwiseSqrt().cwiseInverse().asDiagonal();
     }

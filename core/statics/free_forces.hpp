@@ -16,7 +16,7 @@ public:
 
     /// Takes a pose of the centroidal frames, factors its equations and finds multipliers; call first.
     void set(const State& state);
-    /// Finds freedoms and sizes of loads at the pose; call before what is below.
+    /// Finds freedoms and sizes of loads at the pose; call before the functions below.
     void find_forces();
     /// Counts the turns of rotational springs up to the pose.
     void count_turns();
@@ -26,7 +26,7 @@ public:
     int rank() const { return rank_; }
     /// Largest movement of a body in columns: turn [rad] or displacement [extents].
     double movement(const VectorX& columns) const;
-    /// Q + Φqᵀ λ by columns: Q along the freedoms, without what the joints take of heavy bodies.
+    /// Q + Φqᵀ λ by columns: Q along the freedoms, without the loads of heavy bodies that the joints carry.
     const VectorX& unbalanced() const { return unbalanced_; }
     /// The part of columns that is free at this pose, in scaled unknowns.
     VectorX free_part(VectorX columns);
@@ -48,16 +48,15 @@ public:
     bool has_smooth_laws() const { return has_smooth_laws_; }
     /// True if a law depends on a rate: unlike a damper, it can feed a motion.
     bool has_laws_of_rates() const;
-    /// Work of all loads and reactions, without their signs, along columns: what rounding of Nᵀ Q is compared
-    /// with.
+    /// Work of all loads and reactions, without their signs, along columns: the scale for rounding of Nᵀ Q.
     double work_of_sizes(const VectorX& columns) const;
     /// Stiffness along columns of loads and reactions that change by their own size along a unit of movement:
-    /// what rounding of K is compared with.
+    /// the scale for rounding of K.
     double stiffness_of_sizes(const VectorX& columns) const;
 
 private:
     void find_freedoms();
-    /// Calls `f` with laws to first order: differences do not see what else they are beside the pose.
+    /// Calls `f` with linearised laws: differences then depend only on their slopes at the pose.
     template <class F>
     MatrixX with_linear_laws(F&& f);
     MatrixX stiffness_by_differences();
@@ -77,7 +76,7 @@ private:
     double t_;
     double length_;
     Assembler<OmegaLocal> assembler_;
-    Assembler<OmegaLocal> beside_;  ///< at the poses around
+    Assembler<OmegaLocal> beside_;  ///< at poses nearby
     Scaling scaling_;
     LeastSquares least_squares_;
     State state_;

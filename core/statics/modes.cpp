@@ -12,7 +12,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// K comes from differences: 1e-12 of the loads, and a factor of a hundred for what is added up
+// K comes from differences: 1e-12 of the loads, and a factor of a hundred for sums
 constexpr double kRounding = 1e-10;
 // of the largest entry: rounding of eigenvalues, for any number of freedoms that is practical
 constexpr double kEigenRounding = 1e-13;
@@ -40,8 +40,8 @@ Eigen::VectorXcd in_phase(const Eigen::VectorXcd& z) {
     return z * (std::conj(z(largest)) / std::abs(z(largest)));
 }
 
-/// K in its freedoms. If it is symmetric, with its eigenvalues, else with its singular values: both are zero
-/// along the freedoms without stiffness. `errors` bounds the error of each.
+/// K along the freedoms, with its eigenvalues if it is symmetric, else with its singular values: both are
+/// zero along the freedoms without stiffness. `errors` bounds the error of each.
 struct Stiffness {
     MatrixX K;
     bool is_symmetric = true;
@@ -98,7 +98,7 @@ void add_undamped(const FreeForces& forces, const Stiffness& stiffness, std::vec
     }
 }
 
-/// Number of freedoms without stiffness that no damper holds either.
+/// Number of freedoms without stiffness and without damping.
 Eigen::Index undamped_among_soft(const Stiffness& stiffness, const MatrixX& C) {
     MatrixX soft(C.rows(), stiffness.soft());
     for (Eigen::Index k = 0, next = 0; k < C.rows(); ++k) {
@@ -113,12 +113,12 @@ Eigen::Index undamped_among_soft(const Stiffness& stiffness, const MatrixX& C) {
     return (sizes.array() <= zero).count();
 }
 
-/// Modes of z̈ + C ż + K z = 0, one of each pair of conjugate ones.
+/// Adds the modes of z̈ + C ż + K z = 0, one of each conjugate pair.
 /// @return the size of the matrix whose eigenvalues they are
 double add_any(
     const FreeForces& forces, const Stiffness& stiffness, const MatrixX& C, std::vector<Mode>& modes) {
     const Eigen::Index n = C.cols();
-    // (Ω z, ż) with Ω about the frequencies: entries of K far apart would cost digits
+    // unknowns (Ω z, ż) with Ω near the frequencies: entries of K of very different sizes would cost digits
     const VectorX omega =
         stiffness.K.diagonal().cwiseAbs().cwiseMax(stiffness.errors.cwiseMax(1e-300)).cwiseSqrt();
     MatrixX first_order = MatrixX::Zero(2 * n, 2 * n);

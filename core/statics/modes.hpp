@@ -24,7 +24,7 @@ enum class Stability {
 };
 
 struct SmallMotions {
-    std::vector<Mode> modes;  ///< one that grows first, then slow before fast
+    std::vector<Mode> modes;  ///< growing ones first, then from slow to fast
     Stability stability = Stability::cannot_tell;
     /// The pose has more freedoms than those beside it; then there are no modes.
     bool is_singular = false;

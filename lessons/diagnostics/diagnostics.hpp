@@ -12,7 +12,7 @@
 /// Diagnostics of a lesson file: where something is wrong, what is wrong, what was expected and what to do.
 namespace jw {
 
-/// At most this many are collected for one file.
+/// Largest number of diagnostics that are collected for one file.
 inline constexpr std::size_t kMostProblems = 1000;
 
 enum class Severity { error, warning };
@@ -26,8 +26,8 @@ struct Diagnostic {
     Severity severity = Severity::error;
 };
 
-/// Compiler style, with the place underlined in its line of `source`; a very long line is cut around the
-/// place. The code stands at the end, so that editors still recognise "FILE:LINE:COLUMN: error: ".
+/// Diagnostic in compiler style, with the place underlined in its line of `source`; a very long line is cut
+/// around the place. The code stands at the end, so that editors still recognise "FILE:LINE:COLUMN: error: ".
 ///
 ///   four-bar.toml:29:12: error: unknown body 'couper'; expected one of ground, crank, coupler [JW301]
 ///     bodies = ["couper", "rocker"]
@@ -38,7 +38,7 @@ std::string to_string(const Diagnostic& diagnostic, std::string_view source);
 /// "did you mean 'x'?" for the nearest of `names`, empty if none is near.
 std::string did_you_mean(std::string_view text, std::span<const std::string> names);
 
-/// "a, b, c", at most 20 of them.
+/// "a, b, c": at most 20 names; if there are more, also their number.
 std::string comma_list(std::span<const std::string> names);
 
 /// 'text' in quotes, safe to show: long text is cut, control characters are replaced.

@@ -32,9 +32,9 @@ public:
     void warn(Code code, const SourceSpan& span, std::string message, std::string hint = {});
 
     int errors_count() const { return errors_count_; }
-    /// Nobody reads more than this, so looking for more is not worth the time.
+    /// True at kMostProblems: nobody reads more, so looking for more is not worth the time.
     bool is_full() const { return list_.size() >= kMostProblems; }
-    /// All of them, by position.
+    /// Takes all diagnostics out, sorted by position.
     std::vector<Diagnostic> take();
     /// The texts for people that were read, in the order of reading.
     std::vector<ReadText>& texts() { return texts_; }

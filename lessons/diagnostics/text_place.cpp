@@ -9,7 +9,7 @@ namespace {
 
 bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
-/// A position in the file that knows its line and column.
+/// A position in the file, with its line and column.
 class Cursor {
 public:
     explicit Cursor(std::string_view source) : source_(source) {}

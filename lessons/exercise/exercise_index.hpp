@@ -10,7 +10,7 @@ namespace jw {
 /// Name of the folder of exercise files, beside that of the lessons.
 inline constexpr const char* kExercisesFolder = "exercises";
 
-/// Where an exercise is found.
+/// Place of an exercise.
 struct IndexedExercise {
     std::filesystem::path file;
     std::string name;

@@ -16,7 +16,7 @@ inline constexpr const char* kAnswersFile = "answers.toml";
 /// The secret from which the numbers of a course are drawn, and the exercises of the course.
 struct CourseKey {
     std::string secret;
-    std::vector<std::filesystem::path> exercises;  ///< files, relative to the folder of the key
+    std::vector<std::filesystem::path> exercises;  ///< files; the key names them relative to its folder
     std::string problem;                           ///< all mistakes in the file; empty if there are none
 };
 CourseKey read_course_key(const std::filesystem::path& path);

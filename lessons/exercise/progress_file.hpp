@@ -6,7 +6,7 @@
 /// The file that keeps what a student has solved.
 namespace jw {
 
-/// How an exercise went so far.
+/// Results of an exercise so far.
 struct ExerciseRecord {
     int tried = 0;    ///< answers that were judged
     int solved = 0;   ///< variants answered correctly before their solution was shown

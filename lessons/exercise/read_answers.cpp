@@ -22,7 +22,7 @@ std::string text_of_table(const toml::table& table) {
     return out.str() + "\n";
 }
 
-/// A value as its author may have written it: the library writes 0.4 as 0.40000000000000002.
+/// A value as its author may have written it: toml++ writes 0.4 as 0.40000000000000002.
 std::string value_text(const toml::node& node) {
     if (const toml::array* const array = node.as_array()) {
         std::string list;
@@ -40,7 +40,7 @@ std::string value_text(const toml::node& node) {
     return out.str();
 }
 
-/// Copies those keys of [[expect]] that are there.
+/// Copies the keys of [[expect]] that are present.
 void copy_keys(Fields& fields, std::span<const Key> keys, toml::table& to) {
     for (const Key& key : keys) {
         if (const toml::node* const node = fields.raw(key.name)) { to.insert(key.name, *node); }
@@ -92,7 +92,7 @@ void read_quantity_keys(Fields& fields, Exercise& exercise, toml::table& claim) 
     }
 }
 
-/// What is asked, as a claim.
+/// Reads what is asked, as a claim.
 void read_asked(Fields& fields, Exercise& exercise) {
     toml::table claim;
     copy_keys(fields, format::kMoment, claim);

@@ -51,7 +51,7 @@ void read_exercise_name(Fields& fields, std::set<std::string>& names, Exercise& 
     }
 }
 
-/// The question and what helps with it.
+/// Reads the question, its explanation and its hints.
 void read_question(Fields& fields, Exercise& exercise) {
     fields.require("ask", "what is asked");
     if (const auto ask = fields.words("ask")) { exercise.ask = ask->value; }
@@ -105,7 +105,7 @@ void read_lesson_key(Fields& fields, Exercise& exercise) {
         meant.empty() ? "'jointwise list' shows them" : meant);
 }
 
-/// Changes of the scene before values are drawn.
+/// Applies the changes of the scene that come before the draws.
 void read_changes(Fields& fields, Exercise& exercise) {
     const std::vector<SceneEdit> changes = reading::read_edits(fields, "change");
     if (exercise.scene.empty() || changes.empty()) { return; }
@@ -159,7 +159,7 @@ void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
         "'jointwise check' tells all that is wrong with a file");
 }
 
-/// Question, scene and draws, of an exercise or of an alternative.
+/// Reads question, scene and draws of an exercise or of an alternative.
 void read_task(Fields& fields, const fs::path& folder, Exercise& exercise) {
     read_question(fields, exercise);
     read_scene(fields, folder, exercise);

@@ -11,7 +11,7 @@
 /// Exercise files: TOML as described in docs/exercises.md; the tables [[exercise]] of a lesson likewise.
 namespace jw {
 
-/// Whether a file has tables [[exercise]].
+/// Tables [[exercise]] of a file: none, in a lesson, or in a file of their own.
 enum class ExerciseTables { none, in_lesson, alone };
 /// A file that cannot be read has none.
 ExerciseTables exercise_tables_in(const std::filesystem::path& path);
@@ -27,7 +27,7 @@ struct ExercisesRead {
     std::string report() const;
 };
 
-/// Never throws for bad input. Scenes are files named relative to the folder of `path`.
+/// Reads an exercise file; never throws for bad input. Scenes are named relative to the folder of `path`.
 ExercisesRead read_exercise_file(const std::filesystem::path& path);
 ExercisesRead read_exercises(std::string source, const std::filesystem::path& path);
 

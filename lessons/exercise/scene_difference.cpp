@@ -82,7 +82,7 @@ private:
         return path.empty() ? std::string(key) : path + "." + std::string(key);
     }
 
-    /// A list of tables counts table by table.
+    /// Adds the path of a node; for a list of tables, the paths of the tables.
     static void add_all(const std::string& path, const toml::node& node, std::vector<std::string>& to) {
         const toml::array* const list = node.as_array();
         if (list == nullptr || !are_tables(*list)) {
@@ -164,7 +164,7 @@ private:
         for (const std::size_t k : added) { found.added.push_back(below(path, std::to_string(k))); }
     }
 
-    /// Finds out if both lists have the same entries, and records a different order. @return false if not
+    /// True if both lists have the same entries; a different order is then recorded.
     bool is_other_order(const std::string& path, const toml::array& a, const toml::array& b) {
         OtherOrder order{path, {}, {}};
         std::vector<std::size_t> left;

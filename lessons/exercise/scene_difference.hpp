@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-/// What two lesson files say differently; keys are the paths of scene_edits.hpp.
+/// Differences between two lesson files; keys are the paths of scene_edits.hpp.
 namespace jw {
 
 /// Parts of a lesson file that are compared.

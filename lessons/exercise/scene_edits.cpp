@@ -14,7 +14,7 @@ namespace jw {
 
 namespace {
 
-/// Bytes of a text by line and column, both from 1; columns are characters.
+/// Byte offsets in a text by line and column, both from 1; columns count characters.
 class Places {
 public:
     explicit Places(const std::string& text) : text_(&text) {

@@ -14,7 +14,7 @@ namespace jw {
 
 struct EditedScene {
     std::string text;
-    std::string problem;  ///< "there is no 'joint.B.axis' in it"; empty if all edits could be made
+    std::string problem;  ///< "there is no 'joint.B.axis' that could be set"; empty if all edits were made
 };
 
 /// The scene with the edits made one after the other.

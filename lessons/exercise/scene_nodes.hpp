@@ -10,7 +10,7 @@
 /// A lesson file as a TOML tree, for changing and comparing it.
 namespace jw {
 
-/// Nothing if the text is not TOML.
+/// The tree of a text; nothing if it is not TOML.
 inline std::optional<toml::table> scene_tree(const std::string& text) {
     try {
         return toml::parse(text);

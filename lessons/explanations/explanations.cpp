@@ -24,7 +24,7 @@ constexpr std::array kSettings{
     EnumWord<Setting>{Setting::behind, "behind"}, EnumWord<Setting>{Setting::masses, "masses"},
     EnumWord<Setting>{Setting::course, "course"}, EnumWord<Setting>{Setting::path, "path"}};
 
-/// Exercises are the last group: their codes are the second half of the eight hundreds.
+/// Prefixes of the codes of each topic; the course and the exercises share the eight hundreds.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kGroups{
     {{"JW1", "The file"},
      {"JW2", "Keys and types"},

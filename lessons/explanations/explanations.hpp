@@ -37,7 +37,7 @@ const Explanation* explanation_of(Code code);
 
 /// The complete file of an example, `wrong` or `right`.
 std::string text_of_example(Explanation::Setting setting, const std::string& example);
-/// Diagnostics that reading it gives. @param folder  of the project, for paths
+/// Diagnostics that reading the example gives. @param folder  of the project, for paths
 std::vector<Diagnostic> read_example(
     Explanation::Setting setting, const std::string& example, const std::string& folder = {});
 

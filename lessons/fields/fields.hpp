@@ -18,7 +18,7 @@
 /// Typed access to a TOML table. Collects mistakes instead of throwing.
 namespace jw {
 
-/// Longest list that is read: a longer one is an error, so that it does not take a long time.
+/// Longest list that is read: a longer list is an error, so that reading does not take a long time.
 inline constexpr std::size_t kLongestList = 10000;
 /// Longest text, in bytes.
 inline constexpr std::size_t kLongestText = 20000;
@@ -77,7 +77,7 @@ public:
     std::optional<Located<double>> positive(std::string_view key);
     std::optional<Located<double>> not_negative(std::string_view key);
     std::optional<Located<int>> integer(std::string_view key, int least, int most);
-    /// In the range that the format describes.
+    /// An integer in the range that the format describes.
     std::optional<Located<int>> integer(std::string_view key);
     std::optional<Located<bool>> flag(std::string_view key);
     std::optional<Located<Vec3>> vector(std::string_view key);
@@ -101,7 +101,7 @@ public:
     std::optional<std::size_t> word(std::string_view key, const std::vector<std::string>& words);
     /// Index of the text among the words that the format describes.
     std::optional<std::size_t> word(std::string_view key);
-    /// The value that the text is a word for.
+    /// The value that the word under `key` stands for.
     template <class E, std::size_t N>
     std::optional<E> word(std::string_view key, const std::array<EnumWord<E>, N>& table) {
         const auto found = word(key, words_of(table));
@@ -122,11 +122,11 @@ public:
 
     /// Reports that `key` must be given.
     void missing(std::string_view key, std::string_view expected);
-    /// Reports that a key is missing, unless it is there (right or wrong).
+    /// Reports a key that is not present; a key with a wrong value is present.
     void require(std::string_view key, std::string_view expected);
     /// The same, with the expected value that the format describes.
     void require(std::string_view key);
-    /// Reports if more than one of the keys is there.
+    /// True if at most one of the keys is present; otherwise reports them.
     bool at_most_one(const std::vector<std::string>& keys);
     /// Reports unknown keys.
     void finish();
@@ -168,7 +168,7 @@ private:
     Fields below(const toml::table& table, std::string_view key) const;
     /// A key that has not been read and probably means `key`: misspelt, or with another unit or none.
     const toml::key* meant_as(std::string_view key) const;
-    /// True if a key that is not known stands for one that `expected` names in quotes: `finish` tells of it.
+    /// True if an unknown key means one that `expected` names in quotes: `finish` reports that key.
     bool has_instead_of(std::string_view expected) const;
     void wrong_type(std::string_view key, const toml::node& node, std::string_view expected);
     std::optional<double> number_in(const toml::node& node, const std::string& what);
@@ -181,7 +181,7 @@ private:
     std::string what_;
     Problems* problems_;
     std::set<std::string, std::less<>> known_;
-    std::set<std::string, std::less<>> told_;   ///< keys that are not known, and were told already
+    std::set<std::string, std::less<>> told_;   ///< unknown keys that have been reported already
     std::set<std::string, std::less<>> words_;  ///< keys read as words: a language may have them
 };
 

@@ -44,7 +44,7 @@ bool check_utf8(std::string& source, Problems& problems) {
     return good;
 }
 
-/// Skips what cannot hold a key: comments and strings of all four kinds. @return where it ends
+/// Skips a comment or a string of any of the four kinds, which cannot contain a key. @return its end
 std::size_t skip_text(std::string_view source, std::size_t k) {
     const char c = source[k];
     if (c == '#') { return std::min(source.find('\n', k), source.size()); }
@@ -89,8 +89,8 @@ bool check_depth(std::string_view source, Problems& problems) {
     return true;
 }
 
-/// The parser counts the end of the file as one more character. Where a line ends there, the column is moved
-/// back to the end of the line.
+/// The span, with a column at most one behind the last character of its line: the parser counts the end of
+/// the file as one more character.
 SourceSpan within(SourceSpan span, std::string_view source) {
     std::size_t from = 0;
     for (int line = 1; line < span.line; ++line) {

@@ -41,7 +41,7 @@ struct CourseRead {
     std::string report() const;
 };
 
-/// Never throws for bad input. Does not check that the lessons exist.
+/// Reads a course; never throws for bad input. Does not check that the lessons exist.
 /// @param folder  must contain the folders of the chapters; empty: this is not checked
 CourseRead read_course(std::string source, std::string file_name, const std::filesystem::path& folder = {});
 enum class ChapterFolders { must_be_there, not_asked };
@@ -58,7 +58,7 @@ struct CourseLessons {
     };
     std::vector<Entry> lessons;
     std::vector<Chapter> chapters;              ///< those named by a course that have lessons here, in order
-    std::string report;                         ///< mistakes in the courses read; empty if there are none
+    std::string report;                         ///< mistakes in the courses; empty if there are none
     std::vector<std::filesystem::path> faulty;  ///< courses with mistakes
 };
 

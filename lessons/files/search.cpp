@@ -55,7 +55,7 @@ private:
     std::string_view rest_;
 };
 
-/// "5", "4-6", "4 - 6"; at the end of the text typed so far also "4-".
+/// Takes a range: "5", "4-6", "4 - 6"; at the end of the text typed so far also "4-".
 std::optional<SlideRange> range_at(Scanner& text) {
     const auto first = text.number();
     if (!first) { return std::nullopt; }
@@ -72,7 +72,7 @@ std::optional<SlideRange> range_at(Scanner& text) {
     return SlideRange{*first, *first};
 }
 
-/// "slide 5", "slides 4-6, 8 and 10" at the front of `text`, which is in lower case; otherwise takes nothing.
+/// Takes "slide 5" or "slides 4-6, 8 and 10" off the front of `text`, which is in lower case; else nothing.
 std::vector<SlideRange> slides_at(Scanner& text) {
     const std::string_view before = text.rest();
     std::vector<SlideRange> slides;

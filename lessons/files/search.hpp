@@ -23,12 +23,12 @@ std::vector<SlideRange> slides_in(std::string_view source);
 
 /// The words and slides by which a search finds a lesson.
 struct Searchable {
-    std::string words;  ///< all of its texts, in lower case
+    std::string words;  ///< its texts and names, in lower case
     std::vector<SlideRange> slides;
 };
 
-/// The texts of a lesson, those of its steps included, its chapter, source, the name of its file, the types
-/// and names of its joints.
+/// Title and text of a lesson, the texts of its steps, its chapter, its source, the name of its file, and the
+/// types and names of its joints.
 Searchable searchable_of(const Lesson& lesson, const std::filesystem::path& file);
 /// A file that cannot be read is found by its name.
 Searchable searchable_of(const std::filesystem::path& file);

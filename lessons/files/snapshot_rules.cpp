@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kLargestRules = 1U << 16U;
 constexpr int kMostPixels = 1 << 28;
 
-/// Reads a part of a picture, 0 to 1.
+/// Reads a fraction, 0 to 1.
 void read_part(Fields& fields, const char* key, double& part) {
     const auto read = fields.not_negative(key);
     if (!read) { return; }
@@ -58,7 +58,7 @@ SnapshotRules rules_in(const toml::table& table, Problems& problems) {
 
 SnapshotRulesRead read_snapshot_rules(const std::filesystem::path& file) {
     std::error_code error;
-    // a link to nothing is a mistake, not a request for the defaults
+    // a broken link is a mistake, not a request for the defaults
     if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
         return {SnapshotRules{}, {}, {}};
     }

@@ -26,11 +26,11 @@ enum class KeyKind {
     vector,     ///< three numbers
     direction,  ///< three numbers, not all zero
     numbers,
-    vectors,  ///< a list of three numbers each
+    vectors,  ///< a list of vectors, three numbers each
     tensor,   ///< three or six numbers, or three rows of three
     texts,
     table,
-    tables,  ///< a list of tables, or one
+    tables,  ///< a list of tables, or one table
     any,     ///< read elsewhere
 };
 
@@ -68,7 +68,7 @@ struct Key {
 struct KeyTable {
     std::string_view name;
     std::span<const Key> keys;
-    bool exactly_one = false;  ///< exactly one of its keys is there
+    bool exactly_one = false;  ///< exactly one of its keys must be present
 };
 
 /// Every kind of table of a lesson; the first is the lesson itself.

@@ -12,7 +12,7 @@ namespace jw {
 /// A member of any type that a key can have.
 using MemberRef = std::variant<bool*, int*, double*, Vec3*, std::optional<double>*, std::optional<Vec3>*>;
 
-/// A key of a table and the member of a T that it fills. The member of a T{} is the meaning of an absent key.
+/// A key of a table and the member of a T that it fills. An absent key means the value of the member in T{}.
 template <class T>
 struct MemberKey {
     Key key;

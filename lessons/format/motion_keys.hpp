@@ -9,12 +9,12 @@
 /// Keys of drivers, motions, dynamics and loads.
 namespace jw::format {
 
-/// Coefficients of a polynomial.
+/// Largest number of coefficients of a polynomial.
 inline constexpr int kMostCoefficients = 50;
-/// Intervals of a motion.
+/// Largest number of intervals of a motion.
 inline constexpr int kMostIntervals = 100000;
 
-/// Times of a table.
+/// Largest number of times of a table.
 inline constexpr int kMostTimes = 1000;
 
 /// Keys of a function of time. @param harmonic, step, table  tables of its terms

@@ -14,7 +14,7 @@ struct OtherName {
 
 std::span<const OtherName> other_names();
 
-/// The key that somebody meant who typed `tried`; empty if none of `keys` is it.
+/// The key that an author who typed `tried` meant; empty if it is not among `keys`.
 std::string key_meant_by(std::string_view tried, std::span<const std::string> keys);
 
 }  // namespace jw

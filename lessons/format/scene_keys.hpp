@@ -130,7 +130,7 @@ inline constexpr std::array kJoint{
         Spelling::angular_velocity),
     Key{"displacement_dot", KeyKind::number, "rate of its displacement at the start of dynamics", "m/s"}};
 
-/// Points of a closed curve; harmonics of any curve.
+/// Limits for the points of a closed curve, and for the harmonics of any curve.
 inline constexpr int kFewestPoints = 3;
 inline constexpr int kMostPoints = 200;
 inline constexpr int kMostHarmonics = 100;

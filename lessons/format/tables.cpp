@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kAll =
     joined(format::kSceneTables, format::kMotionTables, format::kClaimTables, format::kExerciseTables);
 
-/// "point in its frame [m]", "value before [m]; default 0".
+/// Description of a key with its unit: "point in its frame [m]", "value before [m]; default 0".
 std::string described(const Key& key) {
     std::string about(key.about);
     const std::string unit = key.unit.empty() ? "" : " [" + std::string(key.unit) + ']';
@@ -32,7 +32,7 @@ constexpr std::array kAny{
     UnitEnding{"_deg_per_s2", "deg/s²"},
     UnitEnding{"_rad_per_s2", "rad/s²"}};
 
-/// Unit of a key's numbers that no ending gives: from `unit`, or from the name.
+/// Unit of a key without endings for units: its `unit`, or the unit at the end of its name.
 std::string unit_of(const Key& key) {
     constexpr std::array in_name{
         UnitEnding{"_rad_per_s", "rad/s"}, UnitEnding{"_hz", "Hz"}, UnitEnding{"_s", "s"}};

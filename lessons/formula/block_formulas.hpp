@@ -21,7 +21,7 @@ struct Block {
 std::string block_name(const Block& block);
 
 /// The right side, "\mathbf{s}_j^T (-\tilde{...} ...)"; nothing for primitives without such a formula (those
-/// of screws, and pairs), "0" where the primitive does not depend on these coordinates.
+/// with θ, and formulas of authors), "0" where the primitive does not depend on these coordinates.
 std::optional<std::string> block_formula(const Block& block);
 
 }  // namespace jw::formula

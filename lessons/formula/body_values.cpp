@@ -6,7 +6,7 @@ namespace jw::formula {
 
 namespace {
 
-/// A map of p that is linear in it.
+/// Applies a linear map to p and its derivatives.
 template <class F>
 Value linear_in(const Value& p, F&& f) {
     Value out = p;

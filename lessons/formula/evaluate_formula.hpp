@@ -14,7 +14,7 @@
 /// Evaluates formulas as they stand on a slide. docs/writing-a-lesson.md says what can be written.
 namespace jw::formula {
 
-/// Meanings of symbols, and of the words in \text: quantities by their names. Nothing for what is unknown.
+/// Meanings of symbols, and of the words in \text, which name quantities; nothing for unknown ones.
 template <class V>
 struct MeaningsOf {
     std::function<std::optional<V>(const Symbol&)> symbol;

@@ -13,7 +13,7 @@
 #include "lessons/formula/evaluate_formula.hpp"
 #include "lessons/math/row_cursor.hpp"
 
-/// The grammar of formulas: which operation is done with what. The operations are those of `V`, found by
+/// The grammar of formulas: which operation has which operands. The operations are those of `V`, found by
 /// their names: sum, difference, negative, product, quotient, dot, cross, length, transposed, skew,
 /// minus_operator, derivative, power, square_root, stacked, component, value_of_function, arc_tangent_of_two.
 namespace jw::formula {
@@ -97,7 +97,7 @@ private:
         return value;
     }
 
-    /// As in 10^12, which is 10^1 times 2.
+    /// Reports a digit behind a power, as in 10^12, which is read as 10^1 times 2.
     static void refuse_digit_behind(const math::Node& before, const math::Node& node) {
         const bool is_power = before.above.size() == 1 && is_kind(before.above[0], math::SignKind::number);
         if (is_power && is_kind(node, math::SignKind::number) && node.from == before.above[0].to) {
@@ -290,7 +290,7 @@ private:
         return symbol_value(node, sign.utf8, {});
     }
 
-    /// A symbol with accents, the innermost last.
+    /// Value of a symbol with accents, of which the innermost is the last.
     V symbol_value(
         const math::Node& node, const std::string& letter,
         const std::vector<math::AccentKind>& accents) const {
@@ -319,7 +319,7 @@ private:
             "docs/writing-a-lesson.md lists the symbols");
     }
 
-    /// s_{xi} and s_{(x)i} are the first component of s_i.
+    /// Component of a vector: s_{xi} and s_{(x)i} are the first component of s_i.
     std::optional<V> component_of(const Symbol& symbol) const {
         constexpr std::string_view axes = "xyz";
         const bool spelt = symbol.index.size() >= 3 && symbol.index[0] == '(' && symbol.index[2] == ')';
@@ -381,7 +381,7 @@ private:
         return script.transposed ? transposed(raised) : raised;
     }
 
-    /// For nodes that are not symbols: they may have only transposes and powers.
+    /// Value with the superscript of a node that is not a symbol: only transposes and powers are allowed.
     V with_superscript(const V& value, const math::Node& node) const {
         Superscript script;
         if (!node.below.empty()) { fail(node, "a subscript cannot stand here"); }

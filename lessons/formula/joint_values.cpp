@@ -105,7 +105,7 @@ private:
 
     // ---- Φ, Φq, γ -----------------------------------------------------------------------------
 
-    /// Terms of every constraint of the joint that is meant.
+    /// Terms of the joint's constraints, or only of those with `role_` if it is set.
     template <class C>
     std::vector<ConstraintTerms> terms() const {
         std::vector<ConstraintTerms> all;
@@ -116,7 +116,7 @@ private:
         return all;
     }
 
-    /// One member of all terms, below each other.
+    /// One member of all terms, stacked vertically.
     template <class Member>
     static MatrixX stack(const std::vector<ConstraintTerms>& terms, Member member) {
         Eigen::Index rows = 0;
@@ -178,7 +178,7 @@ private:
         return phi;
     }
 
-    /// Part of Φ̈ by the artificial coordinate of a screw.
+    /// Part of Φ̈ that comes from the artificial coordinate.
     MatrixX theta_acceleration(const std::vector<ConstraintTerms>& all) const {
         const MatrixX columns = stack(all, &ConstraintTerms::block_theta);
         for (const Constraint& c : instant_->system->constraints()) {

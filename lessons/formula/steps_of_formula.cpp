@@ -289,7 +289,7 @@ Entries vector(FormulaVector v) {
         3, 1, [&](auto r, auto) { return of_numbers::variable(variable_of(v, static_cast<int>(r)), -1); });
 }
 
-/// Vectors and matrices of a body; all others belong to one body or the other.
+/// A symbol that a formula of a joint may contain, with its entries.
 struct Meaning {
     Symbol symbol;
     Entries value;

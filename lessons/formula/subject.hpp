@@ -15,7 +15,7 @@ struct Subject {
     int body = -1;             ///< symbols without index belong to it; -1: none
     std::optional<Role> role;  ///< Φ is that of this primitive of the joint; nothing: of all its primitives
     CoordinateChoice coordinates =
-        CoordinateChoice::omega_local;  ///< of the whole system, where neither is given
+        CoordinateChoice::omega_local;  ///< of the whole system, where neither joint nor body is given
 
     bool operator==(const Subject&) const = default;
 };

@@ -21,7 +21,7 @@ struct Symbol {
 /// Name of the symbol in messages: "s′_i^P".
 std::string name_of(const Symbol& symbol);
 
-/// What stands above a symbol, without its primes and marks.
+/// Superscript of a symbol, without its primes and marks.
 struct Superscript {
     bool transposed = false;
     math::Row power;  ///< an expression; empty: there is none

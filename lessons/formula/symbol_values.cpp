@@ -55,7 +55,7 @@ public:
         second_ = x * factor;
         return y * factor;
     }
-    /// The last component is drawn first.
+    /// A vector of such numbers; its last component is drawn first.
     template <int Dim>
     Eigen::Matrix<double, Dim, 1> vector() {
         Eigen::Matrix<double, Dim, 1> v;

@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    /// Its rate is Φq q̇ + Φ_t, which only the equations of motion make zero.
+    /// Φ and its derivatives; its rate is Φq q̇ + Φ_t, which only the equations of motion make zero.
     Value phi() {
         const MatrixX& jacobian = assembler_.jacobian();
         const VectorX rate = jacobian * columns(1) - assembler_.nu();
@@ -83,7 +83,7 @@ private:
         return phi;
     }
 
-    /// q itself has no meaning in the choices of ω; its value is left 0 there.
+    /// q and its derivatives. In the choices of ω, orientations are not coordinates: their entries are 0.
     Value coordinates() {
         const VectorX values = columns(0);
         return moving(

@@ -9,7 +9,7 @@
 /// Symbols of a whole mechanism at an instant: Φ, Φq, q̇, q̈, γ, Φ_t, and with masses M, Q, λ.
 namespace jw::formula {
 
-/// In the columns of `coordinates`, moving bodies only; the (r, p) choices also have a row pᵀp − 1 per body.
+/// Value in the columns of `coordinates`, moving bodies only; (r, p) also has a row pᵀp − 1 for each body.
 std::optional<Value> value_of_system_symbol(
     const Instant& instant, CoordinateChoice coordinates, const Symbol& symbol);
 

@@ -47,7 +47,7 @@ void require_vector(const Value& a, const std::string& what) {
     }
 }
 
-/// An identity or a zero in the shape of another value.
+/// An identity or a zero as a matrix of this shape; any other value unchanged.
 Value shaped(const Value& a, Eigen::Index rows, Eigen::Index cols) {
     if (a.kind == Kind::matrix) { return a; }
     if (a.kind == Kind::zero) { return constant(MatrixX::Zero(rows, cols)); }
@@ -59,7 +59,7 @@ Value shaped(const Value& a, Eigen::Index rows, Eigen::Index cols) {
         a, [&](const MatrixX& factor) -> MatrixX { return factor(0, 0) * MatrixX::Identity(rows, rows); });
 }
 
-/// Products of derivatives that make up the k-th derivative of a product.
+/// Product with its derivatives. @param terms  of the sum that gives each entry
 template <class F>
 Value by_product_rule(const Value& a, const Value& b, double terms, F&& multiply) {
     Value out;

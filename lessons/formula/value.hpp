@@ -16,13 +16,13 @@ namespace jw::formula {
 /// of its terms.
 constexpr double kKnown = 1e-9;
 
-/// The shapes do not fit, or a derivative is not known.
+/// Error: the shapes do not fit, or a derivative is not known.
 class Mismatch : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A function does not have a value there: a division by zero, a root of a negative number.
+/// Error: a function does not have a value there, as for a division by zero or a root of a negative number.
 class NoValue : public Mismatch {
 public:
     using Mismatch::Mismatch;

@@ -76,7 +76,7 @@ struct QuantityClaim {
     double value = 0.0;        ///< SI, radians
     double tolerance = 0.0;    ///< SI, radians; > 0. Angles are compared modulo a turn, θ of a screw is not
 };
-/// Both sides of an equation are evaluated and compared.
+/// An equation, whose sides are evaluated and compared.
 struct FormulaClaim {
     formula::Formula formula;
     bool holds = true;  ///< false: a misprint, which must not hold

@@ -18,7 +18,7 @@ struct LabelledEquation {
     std::string label;  ///< primitive and component, "p1 y"
     EquationOut equation;
 };
-/// All equations of a joint in this form, in the order of its primitives, dropped ones included.
+/// All equations of a joint in this form, in the order of its primitives, also those that are left out.
 std::vector<LabelledEquation> equations_of(const JointType& type, ParallelForm form);
 
 }  // namespace jw

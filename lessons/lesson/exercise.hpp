@@ -36,7 +36,7 @@ inline constexpr std::array kExerciseKinds{
     EnumWord<ExerciseKind>{ExerciseKind::build, "build", tr_later("a lesson file with joints added")},
     EnumWord<ExerciseKind>{ExerciseKind::experiment, "experiment", tr_later("a list of experiments")}};
 
-/// What may be used to solve an exercise.
+/// Aids that are allowed for an exercise.
 enum class Allowed { paper, program };
 
 /// A parameter of the scene that differs from student to student.

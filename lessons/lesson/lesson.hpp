@@ -52,7 +52,7 @@ using Shape = std::variant<Box, Cylinder, Sphere, Rod>;
 /// Appearance of a body. Without a shape, the renderer chooses what to draw between the joints.
 struct Look {
     std::vector<Shape> shapes;
-    std::optional<Colour> colour;  ///< absent: the palette's next one
+    std::optional<Colour> colour;  ///< absent: the next colour of the palette
 };
 
 /// Camera as the author specified it; absent values are chosen automatically.

@@ -46,7 +46,7 @@ struct PointedAnswer {
     std::vector<Thing> right;        ///< from the lesson file; empty where `found` gives them
     std::optional<RowsFound> found;  ///< rows only
 };
-/// The pose of a body that the student drags it to.
+/// The pose to which the student drags a body.
 struct PoseAnswer {
     int body = 0;
     std::optional<AtTime> when;  ///< nothing: after the step
@@ -57,7 +57,7 @@ struct PoseAnswer {
 using Answer =
     std::variant<CountAnswer, DroppedAnswer, QuantityAnswer, ChoiceAnswer, PointedAnswer, PoseAnswer>;
 
-/// Asked before a step is shown.
+/// A question that is asked before a step is shown.
 struct Question {
     enum class Place { bodies, addition, motion };
     Place place = Place::addition;
@@ -69,9 +69,9 @@ struct Question {
 };
 
 struct Lesson;
-/// False if it was taken out of the lesson, or if it is a driver whose joint was taken out.
+/// False for a joint or driver that was taken out of the lesson, and for a driver whose joint was taken out.
 bool is_added(const Addition& addition, const Lesson& lesson);
-/// False if its joint, driver or motion does not exist (any more).
+/// False if the question's joint, driver or motion does not exist (any more).
 bool applies(const Question& question, const Lesson& lesson);
 
 /// A proposal to try something.

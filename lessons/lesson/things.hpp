@@ -23,7 +23,7 @@ struct Thing {
     Kind kind = Kind::body;
     int index = 0;           ///< of the body, of the joint, or of the driver that a row belongs to
     int part = 0;            ///< of a vector: kVectorI, kVectorJ, kVectorD
-    bool driven = false;     ///< of a row: it is the one of a driver
+    bool driven = false;     ///< of a row: it belongs to a driver
     EquationOut equation{};  ///< of a row of a joint
 
     bool operator==(const Thing&) const = default;
@@ -40,13 +40,13 @@ bool contains_any(const ScalarFormula& formula, std::initializer_list<FormulaVec
 /// True if the equations of this role of a joint are made of the vector `part`.
 bool is_made_of(const Joint& joint, Role role, int part);
 
-/// All things of a kind, in the order of the mechanism; dropped equations are rows, too.
+/// All things of a kind, in the order of the mechanism; equations that are left out are rows, too.
 std::vector<Thing> things_of(const Mechanism& mechanism, Thing::Kind kind);
 std::string name_of(const Thing& thing, const Mechanism& mechanism);
 /// The thing of that kind with that name, with any blanks around its words.
 std::optional<Thing> thing_named(const Mechanism& mechanism, Thing::Kind kind, std::string_view name);
 
-/// False if it belongs to a joint or driver that was taken out of the lesson.
+/// False for a thing of a joint or driver that was taken out of the lesson.
 bool is_present(const Thing& thing, const Lesson& lesson);
 
 }  // namespace jw

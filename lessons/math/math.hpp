@@ -71,7 +71,7 @@ struct Accent {
 
     bool operator==(const Accent&) const;
 };
-/// Nodes between delimiters that grow with them; both empty: a group in braces.
+/// Nodes between delimiters that grow with them; a group in braces has empty delimiters.
 struct Group {
     std::string open;  ///< "(", "[", "{", "|", "‖" or nothing
     std::string close;

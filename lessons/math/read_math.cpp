@@ -46,7 +46,7 @@ private:
         return at_ == source_.size();
     }
 
-    /// A command, or one character.
+    /// The next token: a command, or one character.
     std::string_view next_token() {
         if (at_end()) { return {}; }
         std::size_t end = at_ + 1;
@@ -143,7 +143,7 @@ private:
         return alphabet == Alphabet::bold ? Alphabet::italic : alphabet;
     }
 
-    /// One sign or a group in braces.
+    /// Reads one sign or a group in braces.
     Row read_argument(const std::string& where, Alphabet alphabet) {
         const std::size_t at = at_;
         if (take("{")) {
@@ -283,7 +283,7 @@ private:
         return near.empty() ? "docs/mathematics.md lists the commands" : near;
     }
 
-    /// The argument of \text, taken as it is.
+    /// Reads an argument literally, as that of \text.
     std::string read_words(std::string_view command) {
         expect("{", "after " + std::string(command));
         const std::size_t end = source_.find('}', at_);

@@ -8,7 +8,7 @@
 /// Reads the notation of docs/mathematics.md, a subset of LaTeX.
 namespace jw::math {
 
-/// What is wrong with a formula.
+/// A mistake in a formula.
 struct Problem {
     std::size_t at = 0;   ///< byte of the source
     std::string message;  ///< what is wrong; what was expected

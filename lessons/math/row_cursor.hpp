@@ -7,7 +7,7 @@
 
 namespace jw::math {
 
-/// Nodes with a position; spaces are left out.
+/// A position in a row of nodes; spaces are skipped.
 class RowCursor {
 public:
     explicit RowCursor(const Row& row) {

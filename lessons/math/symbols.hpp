@@ -16,7 +16,7 @@ struct Symbol {
 };
 std::span<const Symbol> symbols();
 
-/// Symbol of a command, or of a character that may be typed itself; nullptr if there is none.
+/// Symbol of a command, or of a character that may be typed directly; nullptr if there is none.
 const Symbol* symbol_of_command(std::string_view command);
 const Symbol* symbol_of_character(std::string_view utf8);
 

@@ -26,8 +26,8 @@ struct TextParts {
     std::vector<Problem> problems;  ///< at bytes of the text
 };
 
-/// `\$` is a dollar sign. An unpaired dollar sign is a problem, and the rest of the text is words. A backtick
-/// without a second one in its line is words.
+/// Parts of a text. `\$` is a dollar sign. An unpaired dollar sign is a problem, and the rest of the text is
+/// words. A backtick without a second one in its line is a part of the words.
 TextParts text_parts(std::string_view text);
 
 /// True if the text consists of more than words.

@@ -14,7 +14,7 @@ bool is_capital_or_digit(const std::string& utf8) {
     return utf8.size() == 1 && (std::isupper(c) != 0 || std::isdigit(c) != 0);
 }
 
-/// As it is typed: a command or a character.
+/// A sign as it is typed: a command or a character.
 std::string typed(const Sign& sign) {
     const Symbol* const symbol = symbol_of_character(sign.utf8);
     if (symbol != nullptr) { return std::string(symbol->command); }
@@ -72,7 +72,7 @@ std::string nucleus_latex(const Node& node) {
         node.nucleus);
 }
 
-/// The transpose in a letter of its own; names like (p1,2) in upright letters.
+/// A superscript: the transpose is a sans-serif T, names like (p1,2) are upright.
 std::string superscript_latex(const Row& above) {
     if (above.size() == 1 && is_sign(above[0], "T")) { return "\\mathsf{T}"; }
     if (above.empty() || !is_sign(above.front(), "(")) { return write_latex(above); }

@@ -65,7 +65,7 @@ std::string subscript_of(const Row& row) {
     return (letter ? "" : "_") + as_one(row);
 }
 
-/// Without spaces.
+/// The nodes of a name, without spaces.
 std::string name_of(const Row& row) {
     std::string name;
     for (const Node& node : row) { name += write_plain({node}); }
@@ -124,7 +124,7 @@ std::string nucleus_text(const Node& node) {
 
 bool is_space(const Node& node) { return std::holds_alternative<Space>(node.nucleus); }
 
-/// A minus after these is the sign of what follows.
+/// True if a minus after this node is the sign of the next operand.
 bool awaits_operand(const Node& node) {
     return is_kind(node, SignKind::relation) || is_kind(node, SignKind::operation) ||
            is_kind(node, SignKind::opening) || is_kind(node, SignKind::punctuation) || is_space(node);

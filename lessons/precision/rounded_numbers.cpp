@@ -12,7 +12,7 @@ namespace jw::reading {
 
 namespace {
 
-// its effect is three times that of all others together; with less, it would be only one of several
+// a number decides if it has three times the effect of all others together; otherwise it is one of several
 constexpr double kDecides = 3.0;
 
 /// Half a unit of the last digit of a number with a decimal point.
@@ -42,7 +42,7 @@ struct Rounded {
     bool is_short = false;
 };
 
-/// A number with fewer digits may have lost its last zeros, if others of its key have more digits.
+/// Rounding of the numbers of a key: a shorter one may have lost its last zeros, if others have more digits.
 std::vector<Rounded> rounded(const std::vector<TypedText>& typed, int digits) {
     std::vector<Rounded> out;
     double most = 0.0;

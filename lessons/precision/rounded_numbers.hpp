@@ -88,7 +88,7 @@ private:
 
     const Reading& reading_;
     std::vector<TypedNumber> all_;
-    std::vector<Place> places_;  ///< one for each of them
+    std::vector<Place> places_;  ///< one for each number
 };
 
 }  // namespace jw::reading

@@ -11,10 +11,10 @@ namespace jw::reading {
 
 namespace {
 
-// of an angle or a direction; the difference is exact to 1e-10
+// relative step of an axis in a central difference, which is exact to 1e-10
 constexpr double kDifference = 1e-5;
 
-/// Turn of a body [rad, local] per unit by which its p changes.
+/// Turn of a body [rad, local] that a small `change` of its p causes.
 Vec3 turn_of(const Vec4& p, const Vec4& change) { return 2.0 * L_of(p.normalized()) * change / p.norm(); }
 
 }  // namespace
@@ -35,7 +35,7 @@ std::vector<RoundedNumbers::Change> RoundedNumbers::moved(
     return changes;
 }
 
-/// Axes as the reader takes them, each of length 1: x unchanged, y turned towards it.
+/// Adds the numbers of `axes`. The reader normalises them, keeps x, and turns y in their plane.
 void RoundedNumbers::add_frame(
     Fields& axes, const std::string& what, const Body& body, const std::vector<LocalVectors>& locals) {
     const Mat3 A = rotation_of(body);

@@ -130,7 +130,7 @@ void check_side(
     }
 }
 
-/// Sides of wheels that the author does not give.
+/// Sides of wheels where the author gives none.
 void read_marks(
     Fields& fields, const BodyPair& pair, const JointType& type, const std::optional<Located<Vec3>>& side,
     JointGeometry& g) {
@@ -318,7 +318,7 @@ void read_curve(Fields& joint, JointGeometry& g) {
     if (!fields->has("points")) { g.curve = given; }
     fields->finish();
     if (joint.problems().errors_count() > errors || !alone) { return; }
-    // a curve that stands still somewhere has no direction there
+    // where the derivative of a curve is zero, it has no direction
     const double size = g.curve.at(0.0).c_u.norm() + g.curve.at(0.5 * std::numbers::pi).c_u.norm();
     constexpr int looked_at = 512;
     for (int k = 0; k < looked_at; ++k) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 80;
 
-/// What is wrong with a name; empty if nothing is wrong.
+/// Fault of a name; empty if there is none.
 std::string fault_of(const std::string& name) {
     if (name.find_first_not_of(' ') == std::string::npos) {
         return name.empty() ? "is empty" : "has nothing but blanks";

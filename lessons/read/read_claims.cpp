@@ -90,7 +90,7 @@ void read_bounds_and_verdicts(Fields& fields, const std::optional<Moment>& when,
     }
 }
 
-/// A claim needs one of these keys.
+/// Keys of facts: a claim needs one of them.
 std::vector<std::string> keys_of_facts() {
     std::vector<std::string> keys = words_of(kCounts);
     for (const EnumWord<Bound>& bound : kBounds) { keys.emplace_back(bound.word); }
@@ -190,7 +190,7 @@ void read_measured(Fields& fields, const Reading& reading, const std::optional<M
     const auto quantity = read_quantity(fields, *text, reading);
     claim.derivative = read_derivative(fields, when, quantity, text->span);
     if (!quantity) {
-        // the keys that belong to it are not known: only keys that never belong to a quantity are unknown
+        // the quantity decides which keys belong to it: only keys of no quantity are reported as unknown
         for (const UnitEnding& ending : endings_of(Spelling::any)) {
             fields.number(std::string("value").append(ending.text));
             fields.positive(std::string("tolerance").append(ending.text));

@@ -57,7 +57,7 @@ void read_point(Fields& fields, const Reading& reading, DynamicsPlan& plan) {
     }
 }
 
-/// Masses that nothing needs are unusual, but not a mistake.
+/// Warns of masses that nothing needs: they are unusual, but not a mistake.
 void warn_of_masses(const Reading& reading) {
     const auto given = std::ranges::find_if(reading.masses, &ReadMass::given);
     if (given == reading.masses.end()) { return; }

@@ -81,7 +81,7 @@ void read_torque(Fields& fields, Reading& reading) {
          against != nullptr ? against->index : -1});
 }
 
-/// Key `friction_speed`, the rate up to which friction grows; of an angle, with its unit.
+/// Key `friction_speed`, the rate up to which friction grows; for an angle, the key ends with its unit.
 std::optional<double> read_friction_speed(Fields& fields, bool angle) {
     if (angle) { return read_angular_rate(fields, "friction_speed", &Fields::positive); }
     const auto speed = fields.positive("friction_speed");
@@ -100,7 +100,7 @@ std::optional<ScalarFormula> read_law(Fields& fields, const char* letter) {
 }
 
 /// Keys `stiffness`, `damping`, `friction` and `law`, at least one of them.
-/// @param spring  about an axis: its rate is that of an angle
+/// @param spring  if it is about an axis, its rate is that of an angle
 template <class S>
 void read_constants(Fields& fields, S& spring) {
     constexpr bool kAngle = std::is_same_v<S, RotationalSpring>;
@@ -127,7 +127,7 @@ void read_constants(Fields& fields, S& spring) {
 
 /// Reports a law without a value at the start. @param value  length, displacement or angle there
 void check_law(Fields& fields, const std::optional<ScalarFormula>& law, double value) {
-    // rates at the start may be others than 0
+    // the rate at the start may differ from 0
     if (!law || law->uses(1) || std::isfinite(law->at(std::array{value, 0.0}))) { return; }
     fields.problems().add(
         Code::formula_without_value, fields.span("law"),

@@ -8,7 +8,7 @@ namespace jw::reading {
 
 namespace {
 
-// a tensor as typed with four digits; more is a mistake
+// relative error of a tensor that is typed with four digits; a larger one is a mistake
 constexpr double kTypedDigits = 1e-3;
 // a moment that is smaller than this share of the largest is 0 up to rounding
 constexpr double kNoMoment = 1e-13;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostShapes = 100;
 // shorter rods and thinner boxes cannot be seen and have no direction
 constexpr double kSmallestSize = 1e-9;
-// cosines of axes as typed with three digits
+// largest cosine between perpendicular axes that are typed with three digits
 constexpr double kOrthonormal = 1e-3;
 
 const std::vector<std::string> kShapeKinds{"box", "cylinder", "sphere", "rod"};

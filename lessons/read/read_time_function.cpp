@@ -128,7 +128,7 @@ void read_table(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
 bool covers(Fields& fields, const TimeTable& table, double from, double to) {
     const double first = table.times.front();
     const double last = table.times.back();
-    // what rounding of a typed time leaves open
+    // possible error of a typed time that was rounded
     const double rounding = 1e-9 * std::max({1.0, std::abs(from), std::abs(to)});
     if (first <= from + rounding && last >= to - rounding) { return true; }
     const auto both = [](double asked, double given) {

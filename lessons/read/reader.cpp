@@ -15,7 +15,7 @@ constexpr int kFormat = 1;
 constexpr std::size_t kLargestFile = 10U << 20U;
 constexpr std::size_t kMostReported = 50;
 
-/// The format is read first, so that a reader of another version can report it instead of guessing.
+/// Reads the format first, so that a reader of another version can report it instead of guessing.
 /// @return true if the rest can be read
 bool read_format(Fields& root, const toml::table& table) {
     root.require("format", "format = 1 as the first key");
@@ -41,7 +41,7 @@ bool read_format(Fields& root, const toml::table& table) {
     return true;
 }
 
-/// A moving body that nothing constrains or drives is rarely intended, unless masses and forces move it.
+/// Warns of moving bodies that nothing constrains or drives: without dynamics, they are rarely intended.
 void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
     if (read.lesson.dynamics) { return; }
     const Mechanism& mechanism = read.lesson.mechanism;
@@ -92,7 +92,7 @@ Lesson read_root(Fields& root, Problems& problems) {
     reading::read_steps(root, read);
     reading::read_claims(root, read);
     reading::read_questions(root, read);
-    // read when they are needed (lessons/exercise)
+    // exercises are read when they are needed (lessons/exercise)
     root.has("exercise");
     root.finish();
     if (problems.errors_count() == 0) { warn_of_loose_bodies(read, problems); }

@@ -19,11 +19,11 @@ struct ReadResult {
     std::string source;                   ///< the file's text, for printing diagnostics
     std::vector<ReadText> texts;          ///< all texts for people in it, in the order of reading
 
-    /// All diagnostics in compiler style, the first 50 of them.
+    /// The first 50 diagnostics in compiler style, and the number of the others.
     std::string report() const;
 };
 
-/// Never throws for bad input.
+/// Reads a lesson; never throws for bad input.
 ReadResult read_lesson(std::string source, std::string file_name);
 /// The same, with the claims of the lesson replaced by `claims`, tables [[expect]] in TOML. Questions, trials
 /// and exercises of the lesson are left out. Mistakes in the claims are reported without a place.

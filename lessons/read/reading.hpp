@@ -89,7 +89,7 @@ std::optional<Colour> read_colour(Fields& fields);
 std::optional<Mat3> read_frame(Fields& fields);
 /// The function of time of a driver; an angle has its unit in the keys.
 TimeFunction read_time_function(Fields& fields, bool angle);
-/// True if one of its keys is there.
+/// True if one of the keys of such a function is present.
 bool has_time_function(Fields& fields, bool angle);
 /// Reports impossible values between two times: overflow, or negative ones if `never_negative`; and a table
 /// that does not cover them.

@@ -8,16 +8,16 @@
 
 namespace jw::reading {
 
-/// Makes a formula of its source. @throws formula::NotEvaluated
+/// Makes a formula from its source. @throws formula::NotEvaluated
 using FormulaReader = std::function<ScalarFormula(const std::string& source)>;
 
-/// The formula under `key`; reports what it cannot be made of.
-/// @param made_of  what it can be made of, for a hint
+/// The formula under `key`; reports a text that is not such a formula.
+/// @param made_of  what the formula may contain, for a hint
 std::optional<ScalarFormula> read_formula(
     Fields& fields, const std::string& key, const FormulaReader& read, const char* made_of);
 
-/// The formula of these variables under `key`; reports what it cannot be made of.
-/// @param made_of  what it can be made of, for a hint
+/// The formula of these variables under `key`; reports a text that is not such a formula.
+/// @param made_of  what the formula may contain, for a hint
 std::optional<ScalarFormula> read_scalar_formula(
     Fields& fields, const std::string& key, std::span<const formula::Variable> variables,
     const char* made_of);

@@ -31,7 +31,7 @@ public:
     /// Shows the text in the language `tag`, or in the nearest wider one that it has ("zh-Hant" for
     /// "zh-Hant-TW"), or else in that of the lesson. An empty tag means the language of the lesson.
     void show(std::string_view tag);
-    /// Removes the line feeds at its end, in every language.
+    /// Removes the line feeds at the end of the text, in every language.
     void drop_line_feeds();
 
 private:

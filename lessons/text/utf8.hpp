@@ -5,7 +5,7 @@
 
 namespace jw {
 
-/// Bytes of the character at the start of `text`, 0 if it is not UTF-8.
+/// Number of bytes of the character at the start of `text`, 0 if it is not UTF-8.
 std::size_t character_length(std::string_view text);
 
 }  // namespace jw

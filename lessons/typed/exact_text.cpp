@@ -18,7 +18,7 @@ namespace jw::writing {
 
 namespace {
 
-// digits that an author types for an axis or an angle; more is a computed number
+// digits that an author types for an axis or an angle; a number with more digits was computed
 constexpr int kTypedDigits = 6;
 constexpr int kLargestWhole = 9;
 // this many digits identify every double
@@ -102,7 +102,7 @@ std::string vector_text(const Vec3& v) { return list_text({v.data(), 3}); }
 
 namespace {
 
-/// Text with backslashes, as in formulas, is easier to read if they are not doubled.
+/// True for text with backslashes, as in formulas, that can be written without doubling them.
 bool reads_better_literally(const std::string& text) {
     const auto is_special = [](char c) {
         return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t') || c == '\x7f';
@@ -129,7 +129,7 @@ std::string string_text(const std::string& text) {
     std::string out = "\"\"\"\n";
     for (std::size_t k = 0; k < text.size(); ++k) {
         const char c = text[k];
-        // a single quote does not need an escape; three of them would end the text
+        // one double quote alone does not need an escape; three of them would end the text
         const bool quote_alone = c == '"' && k + 1 < text.size() && (k == 0 || text[k - 1] != '"');
         const bool literal = c == '\n' || c == '\t' || quote_alone;
         out += literal ? std::string(1, c) : escaped(c);

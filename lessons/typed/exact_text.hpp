@@ -19,8 +19,8 @@ int digits_apart(double a, double b, int least);
 std::string list_text(std::span<const double> values);
 std::string vector_text(const Vec3& v);
 
-/// Text in TOML: in double quotes, or in triple ones if it has several lines. Everything that TOML does not
-/// take literally is escaped.
+/// Text in TOML, in double quotes with escapes; text with backslashes, if possible, in single quotes without
+/// escapes. Triple quotes are used where they are needed.
 std::string string_text(const std::string& text);
 /// Text in TOML whose trailing line feeds do not matter: after several lines, the closing quotes have their
 /// own line.
@@ -30,7 +30,7 @@ std::string words_text(const std::string& text);
 std::optional<double> typed_number(
     double guess, int most_digits, const std::function<bool(double)>& reads_back);
 
-/// Angles in the unit in which they were typed, all in the same.
+/// Angles in the unit in which they were typed, the same unit for all.
 struct AngleTexts {
     std::string unit;  ///< "deg", or "rad" where no number of degrees reads back exactly
     std::vector<double> values;

@@ -14,7 +14,7 @@
 /// the writer must undo them exactly.
 namespace jw {
 
-/// Largest number that is taken for a length, an angle or a time.
+/// Largest number that is accepted as a length, an angle or a time.
 inline constexpr double kLargestNumber = 1e9;
 
 /// Largest deviation of Euler parameters from unit length: those typed with four digits are off by 1e-4; a

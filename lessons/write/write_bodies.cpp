@@ -87,7 +87,7 @@ void write_body(const Body& body, const Look& look, const Mass& mass, bool is_gr
     write_shapes(look.shapes, lines);
 }
 
-/// The ground that every lesson has by default.
+/// True for the ground that every lesson has by default.
 bool is_plain(const Body& ground, const Look& look) {
     return ground.r.isZero(0.0) && ground.p == Vec4::Unit(0) && ground.r_dot.isZero(0.0) &&
            ground.omega_local.isZero(0.0) && look.shapes.empty() && !look.colour;

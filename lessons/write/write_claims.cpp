@@ -53,7 +53,7 @@ void write_moment(const Moment& when, const Written& written, Lines& lines) {
         when);
 }
 
-/// Value and tolerance, both in degrees or both not.
+/// Value and tolerance, both in degrees or neither.
 void write_value(const QuantityClaim& claim, Lines& lines) {
     const UnitRate dimension = dimension_of(claim.quantity);
     if (dimension.unit != Unit::radian) {
@@ -124,7 +124,7 @@ struct FactWriter {
 void write_block(std::vector<const Claim*> block, const Written& written, Lines& lines) {
     lines.table("[[expect]]");
     write_moment(block.front()->when, written, lines);
-    // equations and unknowns before their rank
+    // the numbers of equations and unknowns stand before the rank
     const auto is_rank = [](const Claim* claim) {
         const auto* count = std::get_if<CountClaim>(&claim->fact);
         return count != nullptr && count->count == Count::rank;

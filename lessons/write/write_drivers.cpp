@@ -16,14 +16,14 @@ namespace {
 // digits of a frequency that somebody typed
 constexpr int kFrequencyDigits = 12;
 
-/// A value with its key, the unit of an angle in the key.
+/// A value with its key, which contains the unit of an angle.
 std::string value_text(const std::string& name, double value, bool angle) {
     if (!angle) { return name + " = " + number_text(value); }
     const AngleTexts typed = typed_angles({&value, 1});
     return name + '_' + typed.unit + " = " + number_text(typed.values[0]);
 }
 
-/// "30 deg + 90 deg/s t", what a list of coefficients means.
+/// Polynomial with these coefficients: "30 deg + 90 deg/s t".
 std::string formula_of(std::span<const double> coefficients, const std::string& unit) {
     std::string text;
     for (std::size_t k = 0; k < coefficients.size(); ++k) {

@@ -49,7 +49,7 @@ void write_vector(
     if (!constant) { write_time_function(magnitude, false, lines); }
 }
 
-/// Keys of a spring, or of one about an axis, that do not say where it is.
+/// Keys of a spring, or of a rotational spring, that do not say where it is.
 template <class S>
 void write_constants(const S& spring, Lines& lines) {
     constexpr bool kAngle = std::is_same_v<S, RotationalSpring>;

@@ -27,7 +27,7 @@ public:
     void words(const std::string& name, const Text& text);
     /// A list of texts in every language that one of them has.
     void texts(const std::string& name, const std::vector<Text>& texts);
-    /// The unit is appended to the name.
+    /// Writes an angle; its unit is appended to the name.
     void angle(const std::string& name, double radians_of, const std::string& per = {});
     /// Writes several angles as one list.
     void angles(const std::string& name, std::span<const double> radians_of, const std::string& per = {});

@@ -62,7 +62,7 @@ struct Rank {
     int rank = 0;
     int freedoms = 0;                 ///< columns - rank
     int redundant = 0;                ///< rows - rank
-    int by_counting = 0;              ///< freedoms after Grübler
+    int by_counting = 0;              ///< freedoms according to Grübler
     bool decided = true;              ///< false: a singular value is within its error of the threshold
     Eigen::VectorXd singular_values;  ///< scaled, largest first; empty for very large mechanisms
     std::vector<std::string> redundant_rows;

@@ -40,8 +40,8 @@ public:
     /// Writes the film, whole or not at all. The ending of the name selects the format: .gif, .apng, .html,
     /// and with ffmpeg .mp4 and .webm, which have their captions in files beside them.
     /// @param go_on  called after each picture; false ends with NotReached, and no file is left
-    /// @throws std::invalid_argument for a format that cannot do what is asked, std::runtime_error if it
-    /// cannot be drawn or written
+    /// @throws std::invalid_argument for a format that does not support the options, std::runtime_error if
+    /// the film cannot be drawn or written
     void save(const std::filesystem::path& file, const std::function<bool()>& go_on = {}) const;
 
 private:

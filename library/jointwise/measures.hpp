@@ -54,12 +54,12 @@ struct Reaction {
     double effort = 0.0;  ///< of a driver, along its measure: effort times rate is its power [N, N m]
 };
 
-/// Reactions of a motion; if redundant equations leave them open, the smallest ones.
+/// Reactions of a motion; if redundant equations leave them undetermined, the smallest ones.
 struct Reactions {
     std::vector<Reaction> reactions;  ///< of joints, then of drivers; none between two fixed bodies
     int open = 0;                     ///< independent reactions that can be added without any motion
-    /// Part of M q̈ - Q that no reaction explains, relative; above `bound`, the moment is not one of a
-    /// motion.
+    /// Part of M q̈ - Q that no reaction explains, relative; if it is above `bound`, the moment does not
+    /// belong to a motion.
     double residual = 0.0;
     double bound = 0.0;  ///< bound of the residual from rounding
 };

@@ -63,7 +63,7 @@ struct Place {
         {};  ///< a rack needs it [m]; below 0: moves along when it turns left-handed
 };
 
-/// c0 + c1 t + c2 t² + ...: what a driver prescribes [rad or m].
+/// Prescribed value of a driver [rad or m]: c0 + c1 t + c2 t² + ...
 using Polynomial = std::vector<double>;
 
 /// A mechanism as data; it can be copied. Numbers of bodies and joints count from 0; body 0 is the ground,

@@ -23,7 +23,7 @@ struct Trajectory {
     Moment moment(int row) const;
 };
 
-/// `follow` and `simulate` of analysis.hpp as a table, without storing moments besides.
+/// Motions of `follow` and `simulate` (analysis.hpp) as a table, without storing moments in addition.
 /// @param go_on  called before each time; false ends with NotReached
 Trajectory follow_trajectory(
     const Mechanism& mechanism, const std::vector<double>& times, const std::function<bool()>& go_on = {});

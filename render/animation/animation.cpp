@@ -94,7 +94,7 @@ void Animation::write_waiting() {
     if (!shown_) {
         write(*waiting_, {0, 0, waiting_->width, waiting_->height}, nullptr, seconds_);
     } else {
-        // never equal: an equal picture has made the previous one longer
+        // the two differ: `add` shows the previous picture for longer if the next one is equal
         const PixelArea area = changed_area(*shown_, *waiting_).value();
         write(*waiting_, area, &*shown_, seconds_);
     }

@@ -53,7 +53,7 @@ private:
 };
 
 /// A file of pictures that is written one picture at a time. It stores only what has changed since the
-/// previous picture; a picture that is equal to the previous one makes that one longer.
+/// previous picture; if a picture is equal to the previous one, the previous one is shown for longer.
 class Animation {
 public:
     Animation() = default;

@@ -9,7 +9,7 @@ namespace jw::render {
 
 namespace {
 
-// weights of squared differences in red, green and blue: green is seen best, and blue still changes a hue
+// weights of squared differences in red, green and blue: the eye sees green best, but blue changes the hue
 constexpr std::array<int, 3> kWeights{2, 4, 3};
 // share of all pixels: a colour that covers more is a flat area
 constexpr double kFlatShare = 0.0005;
@@ -78,7 +78,7 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
     return sum;
 }
 
-/// Cuts the cluster with the largest error until there are enough.
+/// Means of at most `most` clusters; the cluster with the largest error is cut until there are enough.
 std::vector<std::array<double, 3>> cut(const std::vector<Counted>& colours, std::size_t most) {
     std::vector<Cluster> clusters;
     clusters.emplace_back(colours);
@@ -194,7 +194,7 @@ int ColourTable::nearest(const std::array<int, 3>& colour) const {
     return best;
 }
 
-/// Sixteen colours whose mean is as near as possible: each corrects the errors of the previous ones.
+/// Sixteen colours whose mean is as near to `colour` as possible: each corrects errors of those before it.
 ColourTable::Pattern ColourTable::mixed(const Rgb& colour) const {
     Pattern pattern{};
     std::array<int, 3> error{};

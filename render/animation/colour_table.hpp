@@ -27,7 +27,7 @@ private:
 };
 
 /// Maps a picture to a few colours. Any other colour is mixed from these in a pattern of 4 x 4 pixels that
-/// depends only on the place: what does not move between two pictures does not change.
+/// depends only on the place, so parts that do not move between two pictures do not change.
 class ColourTable {
 public:
     /// @param colours  1 to 255

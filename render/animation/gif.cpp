@@ -37,7 +37,7 @@ protected:
         Bytes pixels = indices(image, area, before);
         int ticks = time_.next(seconds, kLeastTicks);
         put_picture(pixels, area, std::min(ticks, kMostTicks));
-        // a time that does not fit into two bytes is split; the later pictures of it do not change anything
+        // a time that does not fit into two bytes is split; the additional pictures do not change anything
         while ((ticks -= kMostTicks) > 0) {
             put_picture({kUnchanged}, {area.x, area.y, 1, 1}, std::min(ticks, kMostTicks));
         }

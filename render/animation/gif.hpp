@@ -5,7 +5,7 @@
 
 namespace jw::render {
 
-/// One less than the format allows: the last index means that a pixel does not change.
+/// Largest number of colours, one less than the format allows: the last index stands for an unchanged pixel.
 inline constexpr int kMostColoursOfGif = 255;
 
 /// GIF with these colours, the same for all pictures. Transparent pixels become opaque. The same pictures

@@ -37,7 +37,7 @@ public:
     explicit Draft(const fs::path& target) : target_(target) {
         check_can_be_written(target);
 #ifdef O_TMPFILE
-        // without /proc, it could not be given a name later
+        // without /proc, the file could not be given a name later
         if (::access("/proc/self/fd", X_OK) == 0) {
             file_ = ::open(folder_of(target).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
         }
@@ -65,7 +65,7 @@ public:
         }
     }
 
-    /// The content is complete and has the name of a draft.
+    /// Completes the content and gives the file the name of a draft.
     void finish() {
         if (name_.empty()) {
             const std::string nameless = "/proc/self/fd/" + std::to_string(file_);

@@ -11,7 +11,7 @@ namespace jw::render {
 /// allows it, the file has no name until it is complete, so that nothing is left behind even if the program
 /// is killed.
 ///
-/// A program that needs an error for a file that grows beyond its limit (ulimit -f) must ignore SIGXFSZ.
+/// A program must ignore SIGXFSZ to get an error if a file grows beyond its limit (ulimit -f).
 /// @throws std::runtime_error naming `path` and the reason: no space, no permission, or something under this
 /// name that is not a file (a folder, a device, a pipe)
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);

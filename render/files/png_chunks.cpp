@@ -18,8 +18,8 @@ constexpr std::size_t kHeadLength = 13;
 // length, name and checksum around the data of a chunk
 constexpr std::size_t kAroundPart = 12;
 
-/// Largest number of bytes that the pixels of a head may unpack to: rows with a filter each, and the same
-/// again for the seven passes of an interlaced picture, whose rows are short.
+/// Largest number of bytes that the pixels may unpack to according to the head: rows with a filter each, and
+/// the same again for the seven passes of an interlaced picture, whose rows are short.
 std::size_t largest_unpacked(Bytes head) {
     const std::size_t width = png_number(head);
     const std::size_t height = png_number(head.subspan(4));

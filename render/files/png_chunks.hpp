@@ -39,11 +39,11 @@ private:
 
 /// The first eight bytes of a PNG file.
 std::span<const std::uint8_t> png_signature();
-/// Number in the first four bytes, in the order of PNG. There must be four bytes.
+/// Number in the first four bytes, big-endian as everywhere in PNG. There must be four bytes.
 std::uint32_t png_number(std::span<const std::uint8_t> bytes);
 /// Checksum of a chunk, over its type and its data.
 std::uint32_t png_checksum(std::span<const std::uint8_t> checked);
-/// Appends the `count` lower bytes of a number, in the order of PNG.
+/// Appends the `count` lower bytes of a number, big-endian.
 void append_png_number(std::vector<std::uint8_t>& file, std::uint32_t value, int count = 4);
 /// Appends a chunk with its length and checksum.
 void append_png_chunk(

@@ -21,7 +21,7 @@ enum class Alpha : bool { lost, kept };
 
 /// Decodes a PNG of any kind as 8-bit RGB.
 /// @param name  of the file, for the error
-/// @param alpha  kept: if the file has an alpha channel
+/// @param alpha  kept: reads the alpha channel if the file has one
 /// @throws std::runtime_error if it is not a PNG, or is cut off, damaged or too large
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, Alpha alpha = Alpha::lost);
 

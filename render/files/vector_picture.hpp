@@ -36,7 +36,7 @@ public:
     void ring(Point centre, double radius, const Colour& colour, double thickness);
     /// A triangle whose colours are interpolated between the corners.
     void triangle(const std::array<Point, 3>& corners, const std::array<Colour, 3>& colours);
-    /// A letter of a font, unhinted. @param pen  where it begins on its baseline @param stretch  in height
+    /// A letter of a font, unhinted. @param pen  its start on the baseline @param stretch  of its height
     void letter(
         Point pen, const FontFile& font, char32_t unicode, double pixels_per_em, const Colour& colour,
         double stretch = 1.0);

@@ -43,7 +43,7 @@ constexpr unsigned kPointsPerInch = 72;  // one point is one pixel
 
 constexpr int kBorder = 1;  // empty texels all around, so that neighbours in an atlas do not show through
 
-/// Coverage of a pixel-wide window at every texel: what a screen pixel that starts there must show.
+/// Coverage of a pixel-wide window at every texel, which a screen pixel that starts there must show.
 std::vector<std::uint8_t> box_filtered(const FT_Bitmap& bitmap, int window, int columns, int rows) {
     std::vector<std::uint8_t> filtered(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     for (int row = 0; row < static_cast<int>(bitmap.rows); ++row) {

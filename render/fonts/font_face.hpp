@@ -43,7 +43,7 @@ public:
     /// Number of a character's glyph in the font; 0 if there is none.
     unsigned glyph_index(char32_t character) const;
 
-    /// The face for libraries that draw with FreeType themselves; valid as long as this object.
+    /// The face for libraries that draw with FreeType themselves; valid as long as this object exists.
     FT_FaceRec_* freetype() const;
 
     /// Glyph of `character`; nothing if the font does not have it.

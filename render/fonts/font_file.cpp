@@ -22,7 +22,7 @@ constexpr std::size_t kAdjustment = 8;
 constexpr std::array<std::string_view, 5> kNeeded{"cmap", "head", "hhea", "hmtx", "maxp"};
 constexpr std::array<std::string_view, 2> kOutlines{"glyf", "CFF "};
 
-/// Big-endian. `at` + 4 must be within.
+/// Big-endian number in the four bytes from `at` on, which must exist.
 std::uint32_t number_at(Bytes bytes, std::size_t at) {
     std::uint32_t number = 0;
     for (std::size_t k = 0; k < 4; ++k) { number = number << 8U | bytes[at + k]; }
@@ -33,7 +33,7 @@ std::string_view tag_at(Bytes bytes, std::size_t at) {
     return {reinterpret_cast<const char*>(bytes.data()) + at, 4};
 }
 
-/// Sum modulo 2^32 of the table's numbers, padded with zeros to whole numbers.
+/// Sum modulo 2^32 of the table's 32-bit numbers; the last one is padded with zeros.
 std::uint32_t checksum(Bytes table) {
     std::uint32_t sum = 0;
     std::size_t k = 0;

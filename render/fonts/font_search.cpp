@@ -30,7 +30,7 @@ std::vector<std::filesystem::path> font_folders() {
     return folders;
 }
 
-/// Empty if the font is in none of the folders.
+/// Path of a font; empty if it is in none of the folders.
 std::filesystem::path find_font(const FontFile& file, const std::vector<std::filesystem::path>& folders) {
     for (const auto& folder : folders) {
         std::error_code ignored;

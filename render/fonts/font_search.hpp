@@ -23,7 +23,7 @@ inline constexpr FontFile kChinese{"DroidSansFallbackFull.ttf", "fonts-droid-fal
 
 /// @throws std::runtime_error with a remedy if the font is missing or damaged
 FontFace open_font(const FontFile& file);
-/// Empty if the font is in none of the folders.
+/// Path of a font; empty if it is in none of the folders.
 std::filesystem::path path_of_font(const FontFile& file);
 
 }  // namespace jw::render

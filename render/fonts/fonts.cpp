@@ -29,7 +29,7 @@ constexpr char32_t kMissing = 0xFFFD;
 constexpr char32_t kBox = 0x25A1;            // □
 constexpr char32_t kLastCharacter = 0xFFFF;  // ImGui of Debian counts with 16 bits
 
-// an x of DejaVu in this part of the size is as high as an x of Latin Modern
+// an x of DejaVu at this fraction of the size is as high as an x of Latin Modern
 constexpr double kWordsInFormula = 0.8;
 
 // Formula glyphs stand at any x: three texels per pixel make their stems equally wide. Interface text stands
@@ -41,7 +41,7 @@ constexpr std::array<std::array<char32_t, 2>, 20> kInterface{{
     {0x0021, 0x007E}, {0x00A1, 0x00FF},  // Latin-1; the space comes with the base font
     {0x0100, 0x017F},                    // Latin Extended-A: names in most languages of Europe
     {0x0400, 0x045F},                    // Cyrillic
-    {0x02C6, 0x02DC}, {0x0302, 0x0308},  // accents; the second kind stand over the letter before
+    {0x02C6, 0x02DC}, {0x0302, 0x0308},  // accents; those of the second run stand over the preceding letter
     {0x0391, 0x03D6}, {0x03F5, 0x03F5},  // Greek
     {0x1D40, 0x1D40}, {0x1D62, 0x1D65},  // ᵀ ᵢ ᵣ
     {0x2010, 0x2026}, {0x2030, 0x203A},  // dashes, quotes, dots, primes
@@ -206,7 +206,7 @@ private:
         }
     }
 
-    /// ImGui has made the glyph as large as its rectangle, at the top of the line.
+    /// Places a glyph, which ImGui has made as large as its rectangle, at the top of the line.
     static void place(ImFontGlyph& glyph, const ImFont& font, const GlyphBitmap& bitmap) {
         const float baseline = std::round(font.Ascent);
         glyph.X0 = bitmap.left;

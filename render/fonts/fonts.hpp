@@ -79,7 +79,7 @@ private:
 /// True if the interface fonts always have the character.
 bool is_of_interface(char32_t character);
 
-/// Those of the characters that no font has, each once. The font for Chinese counts if it is installed.
+/// The given characters that no font has, each once. The font for Chinese counts if it is installed.
 std::u32string characters_without_glyph(std::u32string_view characters);
 /// The Debian package of the font for Chinese if the font is missing, otherwise empty.
 std::string package_of_missing_chinese();

@@ -5,7 +5,7 @@
 
 namespace jw::render {
 
-/// Pixels of the device, counted from the bottom as in GL.
+/// Rectangle in pixels of the device, counted from the bottom as in GL.
 struct DeviceRect {
     int x, y;
     int width, height;

@@ -15,7 +15,7 @@ public:
     /// @throws std::invalid_argument if the picture is empty or its size does not match its data
     PictureTexture(const GlFunctions& gl, const Image& image);
 
-    /// Valid as long as this object: draw everything that shows it before the object is destroyed.
+    /// Valid as long as this object exists: draw everything that shows the picture before that.
     ImTextureID id() const;
     int width() const { return width_; }
     int height() const { return height_; }

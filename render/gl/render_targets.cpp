@@ -183,7 +183,7 @@ void RenderTargets::end_bodies(const DeviceRect& part) const {
     gl_.Disable(GL_SCISSOR_TEST);
     const Target* resolved = &bodies_;
     if (gl_.profile == GlProfile::es_30) {
-        // Browsers (ANGLE of Chromium 156) lose what lies around a part into which samples are averaged, so
+        // Browsers (ANGLE of Chromium 156) lose the pixels around a part into which samples are averaged, so
         // the samples are averaged into an empty framebuffer first.
         gl_.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.name());
         copy_part(gl_, bodies_.framebuffer, part);

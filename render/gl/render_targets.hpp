@@ -12,7 +12,7 @@
 namespace jw::render {
 
 /// Framebuffers for one size of picture in the current context. The window and `Offscreen` draw into the same
-/// ones, so both show the same pixels, and a screenshot is `read`.
+/// ones, so both show the same pixels, and `read` makes a screenshot.
 ///
 /// One frame is `begin_3d`, `SceneRenderer::draw`, `begin_2d`, draw panels, then `read` or `blit_to_window`.
 /// Only bodies are multisampled, and only where there are some: the backdrop has no edges, and text is as

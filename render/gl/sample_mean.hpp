@@ -5,9 +5,9 @@
 
 namespace jw::render {
 
-/// Averages the samples of a multisampled texture with a program of its own. Mesa's software renderer does
-/// not cache the driver's program for glBlitFramebuffer and translates it for 30 ms at every start. OpenGL
-/// 3.3 only.
+/// Averages the samples of a multisampled texture with its own shaders. Mesa's software renderer does not
+/// cache the shaders that the driver uses for glBlitFramebuffer, and compiles them for 30 ms at every start.
+/// OpenGL 3.3 only.
 class SampleMean {
 public:
     /// True if there are several samples and the driver has OpenGL 3.3.

@@ -42,7 +42,7 @@ in vec2 plane;
 float fade() { return 1.0 - smoothstep(0.30, 1.0, length(plane)); }
 )";
 
-/// Three digits to the base 256, exact in 8 bits per channel.
+/// The id as three digits to the base 256, exact in 8 bits per channel.
 constexpr const char* kIdColour = R"(
 flat in float picked_id;
 uniform float rank;

@@ -11,13 +11,13 @@
 
 namespace jw::render {
 
-/// What is drawn behind everything else.
+/// Background that is drawn behind everything else.
 enum class Backdrop {
     sky,    ///< a gradient from top to bottom
     paper,  ///< the paper of the framebuffer; only the lines and shadows of the ground are seen
 };
 
-/// One viewport of a frame, its tone and what is behind its bodies.
+/// One viewport of a frame, its tone and the backdrop behind its bodies.
 struct BackdropView {
     Matrix4d clip_from_world;
     Rect viewport;
@@ -31,7 +31,7 @@ struct BackdropView {
     bool operator==(const BackdropView&) const = default;
 };
 
-/// Draws what is behind the bodies: sky, ground and the shadows on it.
+/// Draws the backdrop behind the bodies: sky, ground and the shadows on it.
 ///
 /// Nothing in the backdrop has an edge that needs more than one sample per pixel, and most of it does not
 /// change while bodies move. So it is painted into a texture with one sample, which is kept. Only what has
@@ -45,8 +45,8 @@ public:
     /// to texture unit 0.
     void draw(const BackdropView& wanted, const SceneView& view, const ShadowMap& shadows);
 
-    /// Fills the scissor of the bound framebuffer, for any number of samples, with what was drawn last, at
-    /// the farthest depth. Uses texture unit 0.
+    /// Fills the scissor of the bound framebuffer, for any number of samples, with the last backdrop, at the
+    /// farthest depth. Uses texture unit 0.
     void draw_behind_bodies() const;
 
 private:

@@ -12,10 +12,10 @@ class GroundPass {
 public:
     explicit GroundPass(const GlFunctions& gl);
 
-    /// Draws over what is there, inside the scissor, without any shadow. Needs no depth.
+    /// Draws the plane without shadows over the present content, inside the scissor. Needs no depth.
     void draw_lit(const SceneView& view, const Ground& ground, Tone tone, const Colour& plane) const;
 
-    /// Draws shadows over that, with the shadow map of `shadow` bound.
+    /// Draws the shadows over the lit plane; the shadow map of `shadow` must be bound.
     /// @param part  there are no shadows outside of it; none: they can be anywhere
     void draw_shadow(
         const SceneView& view, const Ground& ground, const ShadowView& shadow,

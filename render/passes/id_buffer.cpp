@@ -10,12 +10,12 @@
 namespace jw::render {
 namespace {
 
-// alpha of preferred targets: thin things are hard to hit
+// alpha of a target: thin parts are preferred, because they are hard to hit
 constexpr float kBodyRank = 0.5F;
 constexpr float kThinRank = 1.0F;
 constexpr std::uint8_t kThinAlpha = 255;
 
-// in pixels, larger than any radius: first thin things, then the body under the pointer, then bodies near it
+// in pixels, larger than any radius: thin parts come first, then the body under the pointer, then near bodies
 constexpr double kBodyHere = 1e6;
 constexpr double kBodyAway = 1e7;
 

@@ -79,7 +79,7 @@ void point_at_vertices(const GlFunctions& gl, std::size_t first) {
     gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, at(offsetof(ImDrawVert, col)));
 }
 
-/// GL counts pixels from the bottom. @return false if nothing is left to draw into
+/// Sets GL's scissor, which counts pixels from the bottom. @return false if nothing is left to draw into
 bool set_scissor(const GlFunctions& gl, const ImVec4& clip, const ImDrawData& data, const FrameSize& frame) {
     const auto ratio = static_cast<float>(frame.pixel_ratio);
     const auto pixels = [ratio](float length) { return static_cast<GLint>(std::lround(length * ratio)); };

@@ -24,7 +24,7 @@ public:
     /// @throws std::invalid_argument if the framebuffer scale of the data is not 1
     void draw(const ImDrawData& data, const FrameSize& frame) const;
 
-    /// Draws a part of the frame; buffers of the size of this part are bound. @throws as `draw`
+    /// Draws a part of the frame; buffers of the size of this part must be bound. @throws as `draw`
     void draw(const ImDrawData& data, const FrameSize& frame, const FramePart& part) const;
 
 private:

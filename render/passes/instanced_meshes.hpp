@@ -45,7 +45,7 @@ private:
     GlBuffer segments_;
 };
 
-/// Meshes on the graphics card that every program that draws scenes needs.
+/// Meshes on the graphics card, shared by everything that draws scenes.
 struct SceneMeshes {
     explicit SceneMeshes(const GlFunctions& gl) : solids(gl), lines(gl) {}
 

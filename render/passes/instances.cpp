@@ -145,7 +145,7 @@ public:
     }
 
 private:
-    /// Decided by the nearer end of round shapes. A box is round only at its edges.
+    /// Detail of a mesh, decided by the nearer end of round shapes. A box is round only at its edges.
     Detail detail_of(MeshKind kind, const Pose& pose, const Vector3d& size, double rounding) const {
         if (!pixel_at_) { return Detail::high; }
         const double radius = kind == MeshKind::box ? rounding / kEdgeRounding : size.x() + rounding;
@@ -201,7 +201,7 @@ InstanceLists& list_for(
     return highlighted ? lists.emphasised : lists.see_through;
 }
 
-/// Amber is bright on paper and in the dark, so it is the same in both tones.
+/// Look with an amber halo: amber is bright on paper and in the dark, so it is the same in both tones.
 Look halo(const Colour& colour, int id) {
     return {colour, kHalo, with_alpha(palette::kHighlight, colour.a), id};
 }

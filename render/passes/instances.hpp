@@ -9,7 +9,7 @@
 #include "render/scene/scene.hpp"
 #include "render/scene/shapes.hpp"
 
-/// Turns a scene into what the graphics card draws: copies of a few meshes. No GL.
+/// Turns a scene into copies of a few meshes, which the graphics card draws. No GL.
 namespace jw::render {
 
 /// One copy of a mesh, in the layout that the vertex shader reads.

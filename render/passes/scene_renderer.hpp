@@ -10,7 +10,7 @@
 
 namespace jw::render {
 
-/// Version of the appearance of pictures: one more each time that the same scene looks different. Golden
+/// Version of the appearance of pictures: it increases each time that the same scene looks different. Golden
 /// pictures of an earlier version are compared without their colours.
 inline constexpr int kLook = 2;
 

@@ -35,8 +35,8 @@ void SceneView::set_line_uniforms(const GlProgram& program) const {
     program.set("clip_from_world", clip_from_world);
     program.set("clip_per_pixel", clip_per_pixel_x, clip_per_pixel_y);
     program.set("width_scale", pixel_scale);
-    // above 0, where directions in the picture are not defined, and before the near plane at 5 % of the
-    // distance
+    // greater than 0, where directions in the picture are not defined, and nearer than the near plane at 5 %
+    // of the distance
     program.set("near_w", camera.orthographic ? 0.0F : static_cast<float>(0.01 * camera.distance()));
 }
 

@@ -11,8 +11,8 @@ namespace jw::render {
 
 /// A scene as one camera sees it. The picture and the id picture share it, so that they agree.
 struct SceneView {
-    /// Detail of meshes: `by_size` as in pictures; `full` independent of the rules for that, because layers
-    /// of golden snapshots are compared to the pixel, also with those of earlier versions.
+    /// Detail of meshes: `by_size` as in pictures; `full` does not depend on the rules for sizes, because
+    /// layers of golden snapshots are compared pixel by pixel, also with those of earlier versions.
     enum class Details { by_size, full };
 
     Camera camera;

@@ -42,7 +42,7 @@ struct Parallelogram {
 std::optional<Parallelogram> shadow_on_plane(
     const ShadowView& shadow, double border, const Vector3d& point, const Vector3d& normal);
 
-/// Bounds of its corners.
+/// Bounds of the corners of a part.
 Bounds bounds_of(const Parallelogram& part);
 
 }  // namespace jw::render

@@ -5,7 +5,7 @@
 
 namespace jw::render {
 
-/// What is seen at each pixel of a picture, and how far away it is: the same scene without light, text and
+/// Id and depth of the part that is seen at each pixel of a picture: the same scene without light, text and
 /// smooth edges. Top row first.
 struct PictureLayers {
     /// Depth of a point that is as far away as the camera's target; the largest value is four times as far.

@@ -27,7 +27,7 @@ struct Points {
 constexpr std::array<Points, kDetails> kPoints{
     {{12, 12, 3, 1}, {18, 18, 4, 1}, {28, 18, 6, 2}, {36, 18, 8, 2}}};
 
-/// Largest distance of a polygon from its circle [pixels]: less than the smoothing of borders would show.
+/// Largest distance of a polygon from its circle [pixels]: too small to be seen in a smoothed border.
 constexpr double kMostMissed = 0.15;
 
 Points points_of(Detail detail) { return kPoints[static_cast<std::size_t>(detail)]; }

@@ -13,7 +13,7 @@
 ///   core * size + normal * rounding
 ///
 /// so one mesh gives boxes of every size with edges of the same radius, and bars of every length with
-/// hemispherical ends, normals staying smooth and right. The axis of round shapes is z, from 0 to 1.
+/// hemispherical ends; the normals stay smooth and correct. The axis of round shapes is z, from 0 to 1.
 namespace jw::render {
 
 enum class MeshKind : std::uint8_t {
@@ -32,8 +32,8 @@ enum class MeshKind : std::uint8_t {
 inline constexpr std::size_t kMeshKinds = 10;
 inline constexpr float kConeLength = 2.7F;
 
-/// Fineness of a mesh. A software renderer needs time for every vertex in every pass, and for a whole block
-/// of pixels for every triangle that touches it: triangles thinner than a pixel take more time than all the
+/// Fineness of a mesh. A software renderer needs time for every vertex in every pass and, for every triangle,
+/// for each whole block of pixels that it touches: triangles thinner than a pixel take more time than all the
 /// rest.
 enum class Detail : std::uint8_t { coarse, low, medium, high };
 

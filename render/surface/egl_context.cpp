@@ -4,7 +4,7 @@
 #include "render/surface/headless_context.hpp"
 #include "render/surface/mesa_settings.hpp"
 
-// does not need the headers of a window system
+// avoids the headers of a window system
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -27,7 +27,7 @@ struct Egl {
     decltype(&eglGetProcAddress) get_function = nullptr;
     EGLDisplay display = EGL_NO_DISPLAY;
 
-    /// @throws std::runtime_error with the words of the system's loader, or of `settle_mesa`
+    /// @throws std::runtime_error with the message of the system's loader, or of `settle_mesa`
     static const Egl& get() {
         static const Egl library;
         return library;

@@ -27,7 +27,7 @@ std::unique_ptr<HeadlessContext> make_headless_context(HeadlessSurface surface) 
     try {
         return make_egl_context();
     } catch (const std::runtime_error&) {
-        // without either, the user needs the one that draws all pictures of the project
+        // if both are missing, the user should install OSMesa, which draws all pictures of the project
         throw std::runtime_error(first);
     }
 }

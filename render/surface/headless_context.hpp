@@ -40,8 +40,8 @@ std::unique_ptr<HeadlessContext> make_headless_context(HeadlessSurface surface);
 void choose_headless_surface(HeadlessSurface surface);
 HeadlessSurface chosen_headless_surface();
 
-/// A shared library that is loaded when the first picture is drawn: text output does not need it, and then
-/// does not load a shader compiler. If the library is missing or damaged, this can be reported as an error.
+/// A shared library that is loaded when the first picture is drawn: for text output, neither the library nor
+/// its shader compiler is loaded. If the library is missing or damaged, this can be reported as an error.
 class LoadedLibrary {
 public:
     /// @param names  tried one after the other

@@ -13,7 +13,7 @@ namespace jw::render {
 
 class HeadlessContext;
 
-/// A picture without a window: a context of OSMesa or EGL with `RenderTargets`. Frames are drawn as there.
+/// A picture without a window: a context of OSMesa or EGL with `RenderTargets`; see there how to draw frames.
 ///
 /// Several may exist at once. Other objects made with `gl` (renderers, textures) must be destroyed while this
 /// context is current: call `make_current` where another context may have been used since.
@@ -41,7 +41,7 @@ public:
 
     void make_current() const;
 
-    /// What `SceneRenderer::draw` draws into. The context must be current.
+    /// Targets for `SceneRenderer::draw`. The context must be current.
     RenderTargets& targets() const { return *targets_; }
 
     // these make the context current

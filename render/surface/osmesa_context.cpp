@@ -17,7 +17,7 @@ struct OsMesa {
     decltype(&OSMesaMakeCurrent) make_current = nullptr;
     decltype(&OSMesaGetProcAddress) get_function = nullptr;
 
-    /// @throws std::runtime_error with the words of the system's loader, or of `settle_mesa`
+    /// @throws std::runtime_error with the message of the system's loader, or of `settle_mesa`
     static const OsMesa& get() {
         static const OsMesa library;
         return library;
@@ -37,7 +37,7 @@ private:
     }
 };
 
-/// OSMesa wants a colour buffer of its own, which nothing is drawn into.
+/// Context of OSMesa, which requires its own colour buffer; nothing is drawn into that buffer.
 class OsMesaContext : public HeadlessContext {
 public:
     OsMesaContext() {

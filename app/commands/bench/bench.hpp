@@ -6,7 +6,7 @@
 #include "app/commands/options/size_option.hpp"
 #include "app/commands/program/command.hpp"
 
-/// The parts of `jointwise bench` that measure something else than dynamics.
+/// The parts of `jointwise bench` that measure something other than dynamics.
 namespace jw {
 
 /// `jointwise bench --kinematics`: lessons by file or name; by default all shipped lessons that drivers move.

@@ -27,7 +27,7 @@ struct CheckedLesson {
 
 /// Style of a report.
 struct CheckStyle {
-    bool quiet = false;           ///< only claims that fail; only in text
+    bool quiet = false;           ///< the text has only claims that fail; no effect on JSON and JUnit
     bool require_claims = false;  ///< a lesson without claims fails
 };
 

@@ -115,7 +115,7 @@ void write_page(const Explanation& page, std::ostream& out) {
     out << "\nMended:\n" << indented(page.right);
 }
 
-/// For all pages, the result is docs/diagnostics.md.
+/// Pages as Markdown; all of them are docs/diagnostics.md.
 void write_markdown(const std::vector<Explanation>& pages, std::ostream& out) {
     out << kIntroduction << "\nMost examples continue this lesson about a crank and a slider:\n\n"
         << fenced(text_of_example(Setting::behind, ""), "toml")

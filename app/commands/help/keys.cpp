@@ -136,7 +136,7 @@ std::optional<KeyPage> key_page(const std::string& path) {
     return page;
 }
 
-/// All tables, each at its first place, behind the one that contains it.
+/// All tables, each at its first place, after the one that contains it.
 std::vector<KeyPage> key_pages() {
     std::vector<KeyPage> pages{*key_page("lesson")};
     for (std::size_t k = 0; k < pages.size(); ++k) {

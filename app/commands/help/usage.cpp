@@ -16,7 +16,7 @@ namespace jw {
 
 namespace {
 
-/// A sentence of the parser, and the same of this program; $1 ... as in std::regex.
+/// A sentence of the parser, and the same in this program's words; $1 ... as in std::regex.
 struct Wording {
     const char* theirs;
     const char* ours;
@@ -34,7 +34,7 @@ bool is_whole_number(const std::string& text) {
     return std::regex_match(text, form);
 }
 
-/// The parser reads 010 as 8.
+/// True for a number such as 010, which the parser reads as 8.
 bool is_octal(const std::string& text) {
     static const std::regex form("[+-]?0[0-9].*");
     return std::regex_match(text, form);
@@ -46,7 +46,7 @@ bool is_number(const std::string& text) {
     return !text.empty() && *end == '\0';
 }
 
-/// N counts something, in all commands; T, X and H are numbers of any kind.
+/// Type N is a count, in all commands; types T, X and H are numbers of any kind.
 bool counts(const CLI::Option& option) { return option.get_type_name() == "N"; }
 bool measures(const CLI::Option& option) {
     constexpr std::array<std::string_view, 3> kinds{"T", "X", "H"};

@@ -23,7 +23,7 @@ std::vector<std::string> names_of(const Table& table) {
 struct DynamicsOptions {
     std::string method;       ///< empty: the lesson's
     std::string treatment;    ///< empty: the lesson's
-    std::string coordinates;  ///< empty: those of joints where they pay off
+    std::string coordinates;  ///< empty: those of joints where they are faster
     std::optional<double> tolerance;
     std::optional<double> step;
 };

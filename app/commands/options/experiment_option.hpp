@@ -41,7 +41,7 @@ std::string done_text(const std::vector<std::string>& done);
 /// Adds the key "tried" if something was done.
 void add_done(Json& json, const std::vector<std::string>& done);
 
-/// The document with that key.
+/// The document with the key "tried" if something was done.
 std::string document_of(Json json, const std::vector<std::string>& done);
 
 }  // namespace jw

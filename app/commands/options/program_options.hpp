@@ -9,8 +9,8 @@ class App;
 /// Options that every command takes.
 namespace jw {
 
-/// Adds `--language TAG`, the language of the program's own sentences, and `--surface NAME`, what draws
-/// pictures without a window. Commands that are added later take them, too.
+/// Adds `--language TAG`, the language of the program's own sentences, and `--surface NAME`, the library that
+/// draws pictures without a window. Commands that are added later take them, too.
 void add_program_options(CLI::App& app, std::string& language, std::string& surface);
 
 /// Sets the language: from the option, else from JOINTWISE_LANGUAGE, else English.

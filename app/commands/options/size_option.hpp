@@ -10,7 +10,7 @@ struct PixelSize {
     int height = 0;
 };
 
-/// @throws CommandError if the text is not a size, or not between the two
+/// @throws CommandError if the text is not a size, or the size is not between the limits
 PixelSize size_option(const std::string& text, PixelSize smallest, PixelSize largest);
 
 /// Size of a picture that may be higher than wide: then the limits are swapped.

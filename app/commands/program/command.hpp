@@ -67,7 +67,7 @@ Lesson lesson_of(const std::filesystem::path& path, const Streams& streams);
 /// Validator for CLI11's `check`: says what is wrong with a whole number below 0; empty if nothing is.
 std::string fault_of_step(const std::string& text);
 
-/// Refuses a step behind the last one of a lesson. @throws CommandError (bad_input)
+/// Refuses a step after the last one of a lesson. @throws CommandError (bad_input)
 void check_step(const std::string& option, int step, int last);
 
 /// A progress bar on a terminal, nothing elsewhere; it disappears when it is destroyed.

@@ -19,7 +19,7 @@ using AddCommand = std::function<void(CLI::App& app, const Streams& streams, Run
 int run_commands(
     std::span<const AddCommand> commands, const std::vector<std::string>& arguments, const Streams& streams);
 
-/// The process around a program: its streams, and its exit status if they cannot be written.
+/// Runs a program in this process. @return its exit status, or bad_input if its output could not be written
 /// @param run  the program, given its arguments and streams
 int run_process(
     int argc, char** argv,

@@ -12,8 +12,8 @@ namespace jw {
 
 namespace {
 
-/// If a stream is closed, the next opened file gets its number, and messages would go into a picture. Writing
-/// to one of these replacements fails, as it should.
+/// Replaces closed streams: otherwise the next opened file gets the number of the stream, and messages go
+/// into a picture. Writing to a replacement fails, as it should.
 void open_closed_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) == -1) { static_cast<void>(::open("/dev/null", O_RDONLY)); }

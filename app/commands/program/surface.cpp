@@ -50,12 +50,12 @@ constexpr std::size_t kSeen = 4;
 // a library that takes longer is not damaged: something else is wrong [s]
 constexpr unsigned kLoadingTime = 20;
 constexpr Library kOffscreenLibrary{"libOSMesa.so.8", "libosmesa6"};
-// the backdrop is paper
+// the backdrop is paper: all channels are at least this
 constexpr int kPale = 220;
 
 render::Rect whole() { return {0.0, 0.0, kTestWidth, kTestHeight}; }
 
-/// A view from straight ahead, so that places on the picture are known.
+/// A view from straight ahead, so that places in the picture are known.
 render::Camera test_camera() {
     render::Camera camera;
     camera.eye = {0.0, -6.0, 0.0};
@@ -113,7 +113,7 @@ bool blame_settings(SurfaceReport& report) {
         report.problem = error.what();
         return true;
     }
-    // already loaded, so it has drawn here; a second process would wait for threads that it does not have
+    // if it is loaded, it has drawn here; a second process would wait for threads that it does not have
     if (::dlopen(kOffscreenLibrary.name, RTLD_NOW | RTLD_NOLOAD) != nullptr) { return false; }
     const int signal = signal_that_ends(try_offscreen);
     if (signal == 0) { return false; }

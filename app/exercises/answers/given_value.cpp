@@ -22,7 +22,7 @@ constexpr std::size_t kLongest = 20000;
 constexpr std::size_t kMostEntries = 4096;
 constexpr int kDeepest = 50;
 
-/// Why an answer cannot be read.
+/// Reason why an answer cannot be read.
 class NotRead : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -51,7 +51,7 @@ private:
     void skip() {
         while (peek() == ' ' || peek() == '\n' || peek() == '\r') { ++at_; }
     }
-    /// Takes `c` if it comes next. Otherwise blanks stay: in a list they tell where a number ends.
+    /// Takes blanks and `c` if `c` follows. Otherwise blanks stay: in a list they show where a number ends.
     bool take(char c) {
         const std::size_t before = at_;
         skip();
@@ -66,7 +66,7 @@ private:
                          : tr("cannot read {0}; expected {1}", in_quotes(rest), expected));
     }
 
-    /// A parenthesis is a list if it has a comma at its own depth, or begins with a list.
+    /// True if a parenthesis is a list: it has a comma or semicolon at its own depth, or begins with a list.
     bool is_list(std::size_t from, int deep = 0) const {
         if (deep > kDeepest) { return false; }
         const std::size_t first = text_.find_first_not_of(" \n\r", from + 1);
@@ -83,7 +83,7 @@ private:
         return false;
     }
 
-    /// True for a parenthesis with several numbers after which nothing is computed: "(1 2 3) m".
+    /// True if a parenthesis of several numbers is the whole answer, except for its unit: "(1 2 3) m".
     bool is_whole_answer() {
         int depth = 0;
         std::size_t k = at_;
@@ -126,7 +126,7 @@ private:
         return rows;
     }
 
-    /// Numbers up to a closing bracket or the end, rows end with ';'.
+    /// Numbers up to a closing bracket or the end of the text; rows end with ';'.
     Rows separated(char close) {
         Rows rows(1);
         while (skip(), peek() != close && peek() != '\0') {
@@ -163,7 +163,7 @@ private:
         }
     }
 
-    /// In a list, "1 -2" is two numbers, "1 - 2" and "1-2" are one.
+    /// True if a sign begins the next number of a list: "1 -2" is two numbers, "1 - 2" and "1-2" are one.
     bool begins_next() const {
         const bool before = at_ > 0 && text_[at_ - 1] == ' ';
         const bool after = at_ + 1 < text_.size() && text_[at_ + 1] == ' ';
@@ -198,7 +198,7 @@ private:
                 if (divided) { fail(tr("a sign or parentheses: 1/2*pi or 1/(2*pi)")); }
                 value *= factor();
             } else if (peek() == '/') {
-                // "3 /s" is a unit
+                // in "3 /s", the slash belongs to the unit
                 const std::size_t here = at_++;
                 skip();
                 const char c = peek();

@@ -11,7 +11,7 @@ namespace jw {
 
 struct GivenValue {
     MatrixX value;        ///< in the unit that was asked for; a vector is a column
-    std::string problem;  ///< why it was not understood, and what was expected; empty if it was
+    std::string problem;  ///< why the text was not understood, and what was expected; empty if it was
 };
 
 /// Reads "0.5236", "1/3", "-sqrt(3)/2", "30 deg", "2,5", "[1, 2, 3] m", "[[1, 2], [3, 4]]", "1 2 3; 4 5 6".

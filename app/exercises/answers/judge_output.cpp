@@ -126,7 +126,7 @@ std::string entry_text(double entry, int digits) {
     return std::isfinite(entry) ? number_text(entry, digits) : "NaN";
 }
 
-/// Sentence about a wrong answer in a state: it tells the shape, or the entries that differ.
+/// Sentence about a wrong answer in a state: it gives the shape, or the entries that differ.
 std::string told_answer(const std::string& state, const MatrixX& right, const MatrixX& given) {
     if (given.size() == 0) {
         return tr(
@@ -177,8 +177,8 @@ void tell_missing_values(
         state_of(cases, static_cast<std::size_t>(first - given.begin()))));
 }
 
-/// For too many or too few answers: they are taken in order, as far as there are states, and cannot earn all
-/// points.
+/// Reports too many or too few answers: they are judged in order, as many as there are cases, and cannot earn
+/// all points.
 void tell_number_of_answers(std::size_t answers, std::size_t cases, Judged& judged) {
     const auto count = static_cast<int>(answers);
     judged.feedback.insert(

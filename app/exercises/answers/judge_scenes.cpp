@@ -35,9 +35,9 @@ std::string not_reached(const ClaimResult& result) {
     return followed(told, result.why);
 }
 
-/// Fraction of the points for a file that meets some of the claims. Claims that hold already in the file as
-/// it is handed out earn nothing. If other claims are asked for as well, counts alone earn nothing, either:
-/// any joints with as many equations satisfy them.
+/// Fraction of the points for a file that meets some of the claims. Claims that already hold in the file as
+/// it is handed out earn nothing. Where there are also other claims, claims about counts alone earn nothing
+/// either: any joints with as many equations satisfy them.
 /// @param before   the file as it is handed out
 /// @param results  of the claims of `lesson`
 double share_of(
@@ -74,7 +74,7 @@ void judge_claims(
     const std::string name = exercise.name + ".toml";
     const ReadResult read = read_lesson_with_claims(file, name, expected_of(exercise));
     if (!read.lesson) {
-        // a mistake in the file has a place there; a part that the claims miss has none
+        // a mistake in the file has a position; a missing part that the claims name has none
         const ReadResult alone = read_lesson_with_claims(file, name, "");
         judged = not_understood(
             alone.lesson
@@ -117,7 +117,7 @@ void name_missing_joint(Judged& judged, std::size_t joints, std::size_t needed) 
             "{0} joints were added; {1} are needed.", needed));
 }
 
-/// Using more than needed costs a share of the points.
+/// Takes away a share of the points if more was used than needed.
 /// @param says  message; {0} is what was used, {1} what is needed
 void charge(Judged& judged, std::size_t used, std::size_t needed, const char* says) {
     if (used <= needed || judged.share == 0.0) { return; }
@@ -159,7 +159,7 @@ SceneDifference difference_from_handed_out(const std::string& before, const std:
     return other.count() < difference.count() ? other : difference;
 }
 
-/// The lesson that experiments lead to; empty, and not understood, if one of them cannot be carried out.
+/// The lesson that experiments lead to. If one cannot be carried out: empty, and `judged` is not understood.
 std::string state_after(const Task& task, const std::vector<std::string>& actions, Judged& judged) {
     Session session(task.variant.lesson, false);
     for (const std::string& action : actions) {

@@ -35,7 +35,7 @@ std::string shape_of(const MatrixX& m) {
     return tr("{0} × {1} numbers", m.rows(), m.cols());
 }
 
-/// Allowed distance from a mistaken answer. It has as many digits as the right answer, but may be much
+/// Allowed distance from a mistaken answer, which has as many digits as the right answer, but may be much
 /// larger.
 double tolerance_of(const KnownMistake& mistake, const Task& task) {
     const Asked& asked = task.asked;
@@ -45,7 +45,7 @@ double tolerance_of(const KnownMistake& mistake, const Task& task) {
     return asked.tolerance * std::max(1.0, mistake.answer.cwiseAbs().maxCoeff() / right);
 }
 
-/// The nearest known mistake, if the answer is as near as its digits allow, and clearly nearer to it than to
+/// The nearest known mistake, if the given answer is within its tolerance, and clearly nearer to it than to
 /// any other answer.
 const KnownMistake* known_mistake(const Task& task, const MatrixX& given) {
     const Asked& asked = task.asked;
@@ -89,7 +89,7 @@ std::optional<KnownMistake> mistake_in_two_terms(const Task& task, const MatrixX
 
 std::string with_unit(const Asked& asked) { return asked.unit.empty() ? "" : " " + asked.unit; }
 
-/// Reports which entries differ, and by how much.
+/// Reports which entries are wrong; right ones earn a share of the points.
 void tell_entries(const Asked& asked, const MatrixX& given, Judged& judged) {
     int wrong = 0;
     int right_and_nonzero = 0;
@@ -174,7 +174,7 @@ std::string in_lower_case(const std::string& text) {
     return lower;
 }
 
-/// The place, from 1, of a choice or item that is one letter; `word` if there is none.
+/// Place, counted from 1, of the choice or item that is the letter `word`; `word` itself if there is none.
 std::string place_of_letter(const Task& task, const std::string& word) {
     const auto same = [&](const std::string& shown) {
         const bool letter = shown.size() == 1 && std::isalpha(static_cast<unsigned char>(shown.front())) != 0;

@@ -26,7 +26,7 @@ bool is_word_sign(char c) {
            c == '-' || c == '.';
 }
 
-/// "NaN", "-inf", "Infinity", "1e999"
+/// True for "NaN", "-inf", "Infinity", "1e999".
 bool is_not_finite(std::string word) {
     const bool is_number = word.find_first_of("0123456789") != std::string::npos;
     if (is_number) { return std::isinf(std::strtod(word.c_str(), nullptr)); }
@@ -41,7 +41,7 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
     return std::min(at + 1, text.size());
 }
 
-/// Replaces what is not finite by null, since JSON has no word for it.
+/// Replaces NaN and infinity by null, since JSON has no words for them.
 std::string with_nulls(const std::string& text) {
     std::string json;
     for (std::size_t at = 0; at < text.size();) {

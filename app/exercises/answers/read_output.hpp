@@ -9,10 +9,10 @@
 namespace jw {
 
 struct ProgramOutput {
-    /// One per case; a list becomes a column, what is not finite becomes NaN. Empty: there are no such
-    /// answers.
+    /// One for each case. A list becomes a column, NaN and infinity become NaN; anything but a number, a list
+    /// of numbers or a list of rows becomes an empty matrix.
     std::vector<MatrixX> answers;
-    std::string problem;  ///< why there are none, and what was expected; empty if there are
+    std::string problem;  ///< why there are no answers, and what was expected; empty if there are
 };
 
 /// Reads {"answers": [...]}: numbers, lists of numbers and lists of rows. NaN and infinity are read as

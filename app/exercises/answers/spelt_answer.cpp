@@ -32,7 +32,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kSigns{
      {"\u3000", " "},
      {"\t", " "}}};
 
-/// The ASCII sign of a full-width one, as East Asian keyboards write it: "０" is 0. 0 for anything else.
+/// ASCII character of a full-width one, as East Asian keyboards write it: '0' for "０"; else '\0'.
 char of_full_width(std::string_view text) {
     if (text.size() < kFullWidth.size() || text[0] != kFullWidth[0]) { return '\0'; }
     const auto page = static_cast<unsigned char>(text[1]);

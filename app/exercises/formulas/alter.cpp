@@ -11,7 +11,7 @@ namespace {
 using math::Node;
 using math::Row;
 
-/// Calls `visit` with each row of the tree whose nodes stand side by side; stops when it returns true.
+/// Calls `visit` with each row of the tree, except scripts; stops when `visit` returns true.
 bool any_row(Row& row, const std::function<bool(Row&)>& visit) {
     if (visit(row)) { return true; }
     for (Node& node : row) {
@@ -22,7 +22,7 @@ bool any_row(Row& row, const std::function<bool(Row&)>& visit) {
         } else if (auto* const group = std::get_if<math::Group>(&node.nucleus)) {
             if (any_row(group->inner, visit)) { return true; }
         } else if (auto* const accent = std::get_if<math::Accent>(&node.nucleus)) {
-            // a letter with its accents is treated as one thing
+            // a letter with its accents is treated as one symbol
             if (letter_of(node).sign == nullptr && any_row(accent->inner, visit)) { return true; }
         } else if (auto* const matrix = std::get_if<math::Matrix>(&node.nucleus)) {
             for (auto& cells : matrix->rows) {

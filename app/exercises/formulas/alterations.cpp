@@ -22,7 +22,7 @@ Node sign_node(const char* utf8, SignKind kind) {
     return node;
 }
 
-/// Once at each place, and everywhere at once.
+/// The formula changed once at each place, and at all places at once.
 Alterations once_and_everywhere(const Row& right, const Change& change) {
     Alterations all = changed_once(right, change);
     std::ranges::move(changed_everywhere(right, change), std::back_inserter(all));
@@ -70,7 +70,7 @@ Alterations exchange_letters(const Row& right, std::string_view a, std::string_v
     });
 }
 
-/// An accent of that kind around a letter is taken off.
+/// Takes an accent of this kind off a letter.
 Alterations without_accent(const Row& right, math::AccentKind kind) {
     return once_and_everywhere(right, [=](Row& row, std::size_t k) {
         auto* const accent = std::get_if<math::Accent>(&row[k].nucleus);
@@ -271,7 +271,7 @@ Alterations degrees_in_function(const Row& right) {
     });
 }
 
-/// An inverse in front of what is solved for is left out.
+/// Leaves out the inverse in front of the right side of equations.
 Alterations forgotten_inverse(const Row& right) {
     return changed_once(right, [](Row& row, std::size_t k) {
         const Row& above = row[k].above;

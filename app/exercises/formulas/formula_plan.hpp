@@ -7,13 +7,13 @@
 #include "app/session/wording/messages.hpp"
 #include "lessons/lesson/exercise.hpp"
 
-/// The formula of an exercise, read, with all its mistaken forms: the same for all variants.
+/// The parsed formula of an exercise with all its mistaken forms, which are the same for all variants.
 namespace jw {
 
 /// A mistake at one place of the formula.
 struct PlannedMistake {
     const FormulaMistake* mistake = nullptr;
-    Message says;                  ///< feedback with the thing that was changed
+    Message says;                  ///< feedback with the part that was changed
     std::string shown;             ///< the altered formula, or definition, in LaTeX
     math::Row expression;          ///< what is evaluated
     std::vector<math::Row> where;  ///< definitions before it
@@ -21,7 +21,7 @@ struct PlannedMistake {
 
 struct FormulaPlan {
     math::Row asked;               ///< the first side
-    math::Row found;               ///< the last one
+    math::Row found;               ///< the last side
     std::vector<math::Row> where;  ///< definitions
     std::vector<math::Row> given;  ///< symbols whose values are given
     std::vector<PlannedMistake> mistakes;

@@ -15,11 +15,11 @@ namespace jw {
 /// A mistake is an entry of kFormulaMistakes; `alter` makes the mistaken formulas from the right one.
 struct FormulaMistake {
     const char* name;   ///< in exercise files and reports: "local-for-global"
-    const char* title;  ///< message: "a vector in the frame of the body"
-    const char* says;   ///< message, the feedback; {0} is the thing in the formula
+    const char* title;  ///< message: "body components used for global ones"
+    const char* says;   ///< message, the feedback; {0} is the changed part of the formula
     const char* slide;  ///< where it is explained, may be empty
     std::vector<Altered> (*alter)(const math::Row& right);
-    /// feedback if a whole definition is mistaken; {0} is what it defines; null: `says` fits
+    /// feedback if a whole definition is mistaken; {0} is the symbol that it defines; null: `says` fits
     const char* of_definition = nullptr;
 };
 std::span<const FormulaMistake> formula_mistakes();

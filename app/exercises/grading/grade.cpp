@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kLargestHandedIn = 200000;
 /// Stands in the table of kinds for the extensions of all languages.
 constexpr std::string_view kProgramEnding = "program";
-/// Shares are rounded to this, so that 2/3 of 3 points are 2.
+/// Earned points are rounded to multiples of this, so that 2/3 of 3 points are 2.
 constexpr double kFinest = 1e-6;
 
 /// Judgement of a program, and whether this machine could run it.
@@ -37,8 +37,8 @@ ProgramVerdict not_run(const exercises::ProgramResult::Outcome outcome, const st
     return {not_understood(why), outcome == Outcome::no_sandbox || outcome == Outcome::no_tool};
 }
 
-/// Beginning of the output of a program that gave no answers: it is often a number that the program prints
-/// besides.
+/// Beginning of the output of a program that gave no answers: often a number that the program prints in
+/// addition.
 std::string beginning_of(const std::string& out) {
     const std::string text = exercises::printable(out.substr(0, 1000));
     const std::size_t first = text.find_first_not_of(" \n\t");

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostFiles = 2000;
 constexpr std::size_t kLargestFile = 2U << 20U;
 
-/// Calls `visit` with the key of each member, and the member.
+/// Calls visit(key, member) for each member.
 template <class Exercise, class Visit>
 void for_each_member(Exercise& e, const Visit& visit) {
     visit("name", e.name);

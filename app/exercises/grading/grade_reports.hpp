@@ -22,10 +22,10 @@ std::string gradescope_json(const Grade& grade);
 /// All grades in one list.
 std::string grades_json(const std::vector<Grade>& grades);
 
-/// Lessons that answer the mistakes of a class, within the page about it.
+/// Lessons that explain the mistakes of a class, for the page about the class.
 class AnsweringLessons {
 public:
-    /// Both must outlive it.
+    /// Both arguments must outlive this.
     AnsweringLessons(const std::vector<SlideLesson>& lessons, const std::vector<Exercise>& exercises)
         : lessons_(&lessons), exercises_(&exercises) {}
 
@@ -39,7 +39,7 @@ private:
 };
 
 /// A page about the class: points, how often each mistake was made in each exercise, and the lessons that
-/// answer them.
+/// explain the mistakes.
 std::string class_report_html(
     const std::vector<Grade>& grades, const std::string& title, const AnsweringLessons& lessons);
 

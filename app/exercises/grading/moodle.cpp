@@ -50,8 +50,8 @@ std::string question_text(const SheetEntry& entry, const std::string& more) {
     return "<questiontext format=\"html\">" + cdata(html + more) + file + "</questiontext>\n";
 }
 
-/// A slash would begin another category; Moodle reads two slashes as one of the name (qformat_default,
-/// question/format.php).
+/// Name of a category with its slashes doubled: one slash would begin another category; Moodle reads two as
+/// one slash of the name (qformat_default, question/format.php).
 std::string category_name(const std::string& name) {
     std::string doubled;
     for (const char c : name) { doubled += c == '/' ? std::string("//") : std::string(1, c); }
@@ -155,7 +155,7 @@ std::string short_answers(const SheetEntry& entry) {
         return "<answer fraction=\"" + std::to_string(fraction) + "\"><text>" + text +
                "</text><feedback format=\"html\">" + cdata(html_words(feedback)) + "</feedback></answer>\n";
     };
-    // a star stands for anything between the numbers
+    // a star matches any text between the numbers
     std::string xml = "<usecase>0</usecase>\n" + answer(entry.task.asked.right, 100, tr("Right."));
     for (const KnownMistake& mistake : entry.task.asked.mistakes) {
         xml += answer(mistake.answer, 0, feedback_of(mistake));

@@ -73,9 +73,9 @@ void limit_cpu(int more_seconds) {
 
 [[noreturn]] void work_and_leave(
     int handle, int piece, int first, const Work& work, const WorkerLimits& limits) {
-    // its own group, so that everything it starts ends with it
+    // its own group, so that everything that it starts ends with it
     setpgid(0, 0);
-    // whoever waits for this process reports how it ended
+    // default actions: the parent process reports how this one ended
     for (const int signal_number : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGXCPU}) {
         signal(signal_number, SIG_DFL);
     }
@@ -97,7 +97,7 @@ Clock::time_point end_of_part(const Work& work, const Worker& worker) {
     return Clock::now() + std::chrono::milliseconds(static_cast<int>(1000.0 * work.wall_seconds(part)));
 }
 
-/// Starts a process that goes on with `worker`. @return false if no process can be started
+/// Starts a process for the remaining parts of `worker`. @return false if no process can be started
 bool start(Worker& worker, const Work& work, const WorkerLimits& limits) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) { return false; }
@@ -138,7 +138,7 @@ bool take_results(Worker& worker, const Work& work) {
     }
 }
 
-/// Reads what is there. @return false at the end
+/// Reads the available bytes. @return false at the end, or if a result is larger than allowed
 bool read_more(Worker& worker, const Work& work) {
     std::array<char, 65536> part{};
     const ssize_t count = read(worker.pipe, part.data(), part.size());

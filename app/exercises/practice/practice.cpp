@@ -17,7 +17,7 @@ AnswerVerdict could_not_judge(const std::string& why) {
     return {not_understood(tr("This could not be judged: {0}", why)), {}, {}};
 }
 
-/// Kinds whose answers are judged at once; others simulate, or run programs.
+/// True for kinds whose answers are judged at once; the others need simulations, or runs of programs.
 bool is_judged_at_once(ExerciseKind kind) { return !is_judged_by_claims(kind) && kind != ExerciseKind::code; }
 
 }  // namespace
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    std::shared_ptr<const Exercise> exercise_;  ///< lives as long as somebody uses it
+    std::shared_ptr<const Exercise> exercise_;  ///< kept alive here, since the maker refers to it
     std::shared_ptr<TaskMaker> learning_;
     std::shared_ptr<const TaskMaker> maker_;
     std::optional<TaskDraft> draft_;

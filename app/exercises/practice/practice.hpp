@@ -26,8 +26,8 @@ struct PracticeSetup {
     ProgramJudge judge_program;      ///< nothing: programs cannot be run here
 };
 
-/// The exercise in work, its numbers, and the feedback on its answers. Long work is done in threads. Only
-/// `look` takes over their results, so nothing changes between two calls of it.
+/// The current exercise, its numbers, and the feedback on its answers. Long work is done in threads. Only
+/// `look` takes over their results, so nothing changes between two calls of `look`.
 class Practice {
 public:
     explicit Practice(PracticeSetup setup);
@@ -40,18 +40,18 @@ public:
     /// Begins to read the exercises of the open lesson, once.
     void begin_reading();
 
-    /// Shows the exercises in the language that was chosen since. The exercise in work keeps its numbers,
+    /// Shows the exercises in the language that was chosen since. The current exercise keeps its numbers,
     /// hints and solution, and its answer can be judged again.
     void tell_again();
 
     /// Offers these exercises, whatever lesson they belong to.
     void offer(std::vector<PracticeExercise> exercises);
 
-    /// Takes over what was computed. @return true if something is new
+    /// Takes over the results of finished work. @return true if something is new
     bool look();
     /// Waits for all work and takes over its results: for pictures and tests.
     void wait();
-    /// Description of the present work: "choosing numbers ..."; empty if there is none.
+    /// Description of the current work: "choosing numbers ..."; empty if there is none.
     std::string doing() const;
     bool is_busy() const { return reading_ || drawing_ || judging_; }
 
@@ -67,9 +67,9 @@ public:
 
     /// Begins an exercise: its numbers are drawn.
     void choose(int index);
-    /// Goes back to the list, and gives up the present work.
+    /// Goes back to the list, and gives up the current work.
     void leave();
-    /// Index of the exercise begun; -1: none.
+    /// Index of the current exercise; -1: none.
     int chosen() const { return chosen_; }
     const Exercise* exercise() const;
     ExerciseRecord record() const;
@@ -79,10 +79,10 @@ public:
     int tasks_made() const { return tasks_made_; }
     /// True if there are variants with other numbers, or in another order.
     bool has_variants() const;
-    /// The next variant.
+    /// Draws the next variant.
     void draw_anew();
 
-    /// One more hint of the task, if there is one.
+    /// Gives one more hint of the task, if there is one.
     void give_hint();
     int hints_given() const { return hints_given_; }
     /// Shows the solution: this variant cannot count as solved any more.
@@ -93,7 +93,7 @@ public:
     void check(const Handed& handed);
     /// Judges a program.
     void check_program(const std::filesystem::path& file);
-    /// Nothing until an answer was judged.
+    /// The last verdict; nullptr until an answer is judged.
     const AnswerVerdict* verdict() const { return verdict_ ? &*verdict_ : nullptr; }
     /// Grows with every verdict.
     int verdicts_given() const { return verdicts_given_; }

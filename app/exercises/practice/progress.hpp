@@ -26,7 +26,7 @@ public:
     /// written meanwhile stay.
     void keep(const std::string& key, const ExerciseRecord& record);
 
-    /// Messages about the file since the last call, for people; mostly none.
+    /// New message about the file since the last call, for people; usually empty.
     std::string take_notice();
 
 private:

@@ -11,7 +11,7 @@ namespace jw {
 struct AnswerVerdict {
     Judged judged;
     MatrixX given;  ///< as it was understood, in the unit that is asked for; empty if it is not a number
-    std::vector<std::vector<bool>> wrong;  ///< entries of `given` that differ; empty if this is not helpful
+    std::vector<std::vector<bool>> wrong;  ///< entries that differ; empty if right or a single number
 };
 
 /// Judges an answer of any kind except a program.

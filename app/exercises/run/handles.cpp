@@ -30,7 +30,7 @@ Pipe open_pipe() {
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) { return {}; }
     Pipe pipe{Handle(ends[0]), Handle(ends[1])};
     ::fcntl(pipe.read.fd(), F_SETFL, O_NONBLOCK);
-    // a program opens /dev/stdout again, as a user that does not own the pipe
+    // a program may open /dev/stdout again, as a user that does not own the pipe
     ::fchmod(pipe.write.fd(), 0666);
     return pipe;
 }

@@ -24,8 +24,8 @@ private:
     int fd_ = -1;
 };
 
-/// A pipe: this process reads without waiting, the sandbox writes. Both ends are none if the system has no
-/// more.
+/// A pipe: this process reads without waiting, the sandbox writes. Both handles are none if the system cannot
+/// open any more pipes.
 struct Pipe {
     Handle read;
     Handle write;

@@ -42,10 +42,10 @@ inline constexpr std::array kLanguages{
     // reserves all the address space that it could ever use
     Language{".js", "JavaScript", "/usr/bin/node", "nodejs", {"FILE"}, false, 64ULL << 30U}};
 
-/// By its extension with the dot; none if there is no such language.
+/// The language of an extension, which includes the dot; nullptr if there is none.
 const Language* language_of(std::string_view extension);
 
-/// Why a language cannot be run on this machine, as one sentence; empty if it can.
+/// Reason why a language cannot be run on this machine, as one sentence; empty if it can.
 std::string missing_tool(const Language& language);
 
 struct ProgramResult {
@@ -68,7 +68,7 @@ struct ReadyProgram {
     std::string message;     ///< why there is none; what the compiler reports, empty if it failed itself
     SandboxResult compiler;  ///< how the compiler failed, with its limits
     SandboxLimits limits;
-    std::string command;  ///< full path of what is started in the sandbox
+    std::string command;  ///< full path of the program that is started in the sandbox
     std::vector<std::string> arguments;
     SandboxFile file;
     std::uint64_t address_bytes = 0;

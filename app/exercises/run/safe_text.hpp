@@ -7,7 +7,7 @@
 namespace jw::exercises {
 
 /// Any bytes as text that is harmless in a terminal: valid UTF-8 without control characters except line feeds
-/// and tabs. Everything else, and what changes the direction of writing, becomes \xNN or \u{NNNN}.
+/// and tabs. All other bytes, and characters that change the direction of writing, become \xNN or \u{NNNN}.
 std::string printable(std::string_view bytes);
 
 /// The first lines of a text, each cut after `width` bytes but never within a character; "..." stands for

@@ -31,13 +31,13 @@ constexpr double kDieSeconds = 5.0;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// What one stream has written so far, up to a limit.
+/// Output of one stream so far, up to a limit.
 struct Stream {
     Pipe pipe;
     std::string text;
     std::size_t limit = 0;
 
-    /// Takes what is there, without waiting. @return false if there is more than the limit
+    /// Takes the available output, without waiting. @return false if there is more than the limit
     bool take() {
         std::array<char, 1U << 16U> buffer;
         while (pipe.read) {

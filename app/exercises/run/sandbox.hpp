@@ -8,14 +8,14 @@
 
 namespace jw::exercises {
 
-/// Where the files of a run lie in the sandbox.
+/// Folder of the sandbox that has the files of a run.
 inline constexpr const char* kSandboxFolder = "/submission";
 inline constexpr const char* kBwrap = "/usr/bin/bwrap";
 
 /// Longest time that setting up a sandbox may take on a busy machine [s].
 inline constexpr double kLongestSetUp = 20.0;
 
-/// Limits of a program in a sandbox. Times are seconds of the clock, or of all processors together.
+/// Limits of a program in a sandbox. Times are in seconds: of the clock, or of all processors together.
 struct SandboxLimits {
     double wall_seconds = 20.0;
     double cpu_seconds = 5.0;                    ///< of all processes of the run together
@@ -47,8 +47,8 @@ struct SandboxJob {
 };
 
 struct SandboxResult {
-    /// Why the program was not started; empty if it was. If it is not empty, the other members have no
-    /// meaning.
+    /// Reason why the program was not started; empty if it was. If it is not empty, the other members have
+    /// no meaning.
     std::string could_not_run;
     int exit_status = 0;  ///< 128 + signal if a signal ended it
     int signal = 0;       ///< that ended it, 0 if none; an exit status above 128 is taken as a signal
@@ -57,7 +57,7 @@ struct SandboxResult {
     bool timed_out = false;        ///< by the clock or by the processor
     bool too_much_output = false;  ///< on standard output or error
     bool too_many_files = false;
-    bool out_of_memory = false;  ///< stopped for it, or its last message looks like it
+    bool out_of_memory = false;  ///< stopped for this reason, or its error output names it
     double wall_seconds = 0.0;   ///< without the time to set up the sandbox
     double cpu_seconds = 0.0;    ///< of all processes, with a few milliseconds of the sandbox itself
 
@@ -77,7 +77,7 @@ struct SandboxAvailability {
     std::string reason;  ///< why not, as one sentence
 };
 
-/// Whether a sandbox works here: tried once per process, with a command that does nothing.
+/// Availability of a sandbox here: tried once per process, with a command that does nothing.
 const SandboxAvailability& sandbox_availability();
 
 /// Availability of a sandbox by another bubblewrap, tried again at each call.

@@ -161,7 +161,7 @@ bool become(unsigned user) {
 /// user, so that runs do not count each other's processes; some containers have only the user nobody.
 void leave_root() {
     if (::geteuid() != 0) { return; }
-    constexpr unsigned kUnusedUsers = 0x70000000;  // above those that systemd and containers give away
+    constexpr unsigned kUnusedUsers = 0x70000000;  // above those that systemd and containers assign
     constexpr unsigned kNobody = 65534;
     const bool is_alone = ::syscall(SYS_setgroups, 0, nullptr) == 0;
     if (!is_alone || (!become(kUnusedUsers + static_cast<unsigned>(::getpid())) && !become(kNobody))) {

@@ -23,7 +23,7 @@ std::string text_in(int folder, const std::string& path) {
     return {buffer.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
 }
 
-/// The number after `name`, which is in kB there and in bytes here; 0 if there is none.
+/// The number after `name`, converted from kB to bytes; 0 if there is none.
 std::uint64_t bytes_after(const std::string& text, std::string_view name) {
     const std::size_t at = text.find(name);
     return at == std::string::npos ? 0 : std::strtoull(text.c_str() + at + name.size(), nullptr, 10) << 10U;

@@ -17,7 +17,7 @@ struct SandboxUsage {
 /// Inspects a sandbox from outside: its own /proc lists its processes and no others.
 class UsageMeter {
 public:
-    /// Fails if the sandbox cannot be inspected. `first_process`: its number on this machine.
+    /// Opens a sandbox; false if it cannot be inspected. `first_process`: its number on this machine.
     bool open(int first_process);
     bool is_open() const { return static_cast<bool>(processes_); }
     SandboxUsage measure() const;

@@ -54,8 +54,8 @@ bool read_all(const Handle& file, std::string& text) {
     return true;
 }
 
-/// Opens the file first and checks it afterwards, so that it cannot be exchanged in between. A pipe does not
-/// make it wait.
+/// Opens the file first and checks it afterwards, so that it cannot be exchanged in between. Opening a pipe
+/// does not wait.
 ProgramSearch read_in(const Handle& folder, const std::string& name, const Language& language) {
     struct stat about {};
     if (::fstatat(folder.fd(), name.c_str(), &about, AT_SYMLINK_NOFOLLOW) != 0) {
@@ -79,7 +79,7 @@ ProgramSearch read_in(const Handle& folder, const std::string& name, const Langu
     return search;
 }
 
-/// True if anything has that name, whatever it is.
+/// True if anything in the folder has this name: a file, folder, link or device.
 bool is_there(const Handle& folder, const std::string& name) {
     struct stat about {};
     return ::fstatat(folder.fd(), name.c_str(), &about, AT_SYMLINK_NOFOLLOW) == 0;

@@ -23,7 +23,7 @@ struct ProgramSearch {
 
 /// The program of an exercise in the folder of a student: NAME with the extension of a language. Two of them
 /// are refused, and so is everything that is not a regular file of at most 1 MB. Symbolic links, also of the
-/// folder itself, are refused because they could show what the student may not read.
+/// folder itself, are refused because they could show files that the student may not read.
 ProgramSearch find_program(const std::string& folder, const std::string& exercise);
 
 /// The program in one file; its extension tells the language.

@@ -45,7 +45,7 @@ sock_filter load(std::size_t offset) {
 
 sock_filter answer(unsigned action) { return BPF_STMT(BPF_RET | BPF_K, action); }
 
-/// Skips the next instruction if what is loaded is not `value`.
+/// Skips the next instruction if the loaded number is not `value`.
 sock_filter next_if(unsigned value) { return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1); }
 
 constexpr unsigned kRefuse = SECCOMP_RET_ERRNO | EPERM;

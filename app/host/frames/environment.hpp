@@ -5,8 +5,8 @@
 
 namespace jw::host {
 
-/// Things that pictures depend on besides the lesson: the program, its libraries and the fonts, with their
-/// versions.
+/// The program, its libraries and the fonts, with their versions. Pictures depend on them as well as on the
+/// lesson.
 using Environment = std::map<std::string, std::string>;
 
 /// Hashes of the font files. Reading the files takes ten milliseconds.

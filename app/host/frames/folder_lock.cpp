@@ -27,7 +27,7 @@ bool leads_to(const std::filesystem::path& path, int folder) {
            named.st_ino == open.st_ino;
 }
 
-/// True if a folder could not be created because one was there, or was there until another run removed it.
+/// True if a folder could not be created because it existed, or did so until another run removed it.
 bool was_there(const std::filesystem::path& folder, const std::error_code& error) {
     std::error_code ignored;
     const auto now = std::filesystem::symlink_status(folder, ignored).type();

@@ -15,8 +15,8 @@ namespace jw::host {
 class FolderLock {
 public:
     enum class Kind {
-        alone,   ///< no other process holds one
-        shared,  ///< others may hold shared ones
+        alone,   ///< no other process holds a lock
+        shared,  ///< others may hold shared locks
     };
 
     FolderLock() = default;
@@ -24,9 +24,9 @@ public:
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
 
-    /// Takes the lock of a folder in place of the one held. Creates the folder if it does not exist, or if
-    /// the previous holder of the lock has removed it. A folder that cannot be opened, or whose file system
-    /// does not support locks, is not locked.
+    /// Takes the lock of a folder, in place of the lock held before. Creates the folder if it does not exist,
+    /// or if the previous holder of the lock has removed it. A folder that cannot be opened, or whose file
+    /// system does not support locks, is not locked.
     /// @return true if the folder was created
     /// @throws std::runtime_error "'FOLDER' HELD" if others hold the lock for two seconds; also if the folder
     ///         cannot be created

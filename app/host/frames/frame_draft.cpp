@@ -33,7 +33,7 @@ Json run_in(const fs::path& folder) {
     return Json::parse(std::string{std::istreambuf_iterator<char>(in), {}}, nullptr, false);
 }
 
-/// A value in one line; long ones are cut.
+/// A value in one line; long values are cut off.
 std::string line_of(const Json& value) {
     constexpr std::size_t most = 60;
     const std::string line = value.dump(-1, ' ', false, Json::error_handler_t::replace);

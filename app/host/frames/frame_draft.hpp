@@ -14,12 +14,12 @@ namespace jw::host {
 
 /// "frame_00042.png"
 std::string frame_name(int number);
-/// True for such a name, which therefore cannot lead out of a folder.
+/// True for a name of this form, which cannot lead out of a folder.
 bool is_frame_name(const std::string& name);
 
 /// A folder of pictures that are being drawn, by one or several processes, in one or several runs. Its
 /// `run.json` says what the pictures depend on: only equal runs may share the folder. A process that has
-/// begun it alone removes it at the end, unless it leaves it for others.
+/// begun the folder alone removes it at the end, unless it leaves the folder for others.
 class FrameDraft {
 public:
     /// Role of a process that draws together with others.
@@ -38,7 +38,7 @@ public:
     /// @throws std::runtime_error if another run uses the folder, or if it is a link or has foreign files
     void begin(const Json& run);
     /// Continues with the pictures that an equal run has left; begins the folder if it is empty.
-    /// @throws std::runtime_error as `begin`; if the folder is of a different run, it names a difference
+    /// @throws std::runtime_error as `begin`; if the folder is of a different run, the message says how
     void go_on(const Json& run);
     /// Draws into the folder together with other processes of an equal run, and leaves it to them.
     /// @throws std::runtime_error as `go_on`

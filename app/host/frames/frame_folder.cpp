@@ -118,7 +118,7 @@ void FrameFolder::finish(const std::string& manifest) {
     std::vector<std::string> drawn = names_in(drawn_in);
     std::erase_if(drawn, [this](const std::string& name) { return !names_.contains(name); });
 
-    // lists the pictures while they are replaced, in case this is interrupted
+    // lists the pictures while they are replaced, in case the replacement is interrupted
     std::set<std::string> all = before_;
     all.insert(drawn.begin(), drawn.end());
     Json list = Json::array();

@@ -194,7 +194,7 @@ FramePainter::FramePainter(const Story& story, int width, int height, const rend
 FramePainter::~FramePainter() = default;
 
 void FramePainter::compose_camera() {
-    // ImGui has one current context for all threads: another one may only return when the fonts are loaded
+    // ImGui has one current context for all threads: it may change back only when the fonts are loaded
     if (surface_->context.is_above_another()) { surface_->panels(); }
     surface_->context.leave();
     surface_->camera = camera_of(*story_, style_, surface_->layout.scene, surface_->layout.scene_safe);

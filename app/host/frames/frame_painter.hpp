@@ -31,7 +31,7 @@ struct FrameLook {
 
 /// Stages of painting a frame, in order.
 enum class PaintStage { shadow, scene, panels, read };
-/// Called at the end of each stage, for measurements. Only if it is given, painting waits for each stage.
+/// Called at the end of each stage, for measurements. Painting waits for each stage only if this is given.
 using OnPaintStage = std::function<void(PaintStage)>;
 
 /// Draws steps of one story into memory, with panels. The camera is chosen once, so that nothing jumps from

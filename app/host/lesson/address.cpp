@@ -29,7 +29,7 @@ constexpr double kWidestView = 3.1;  // [rad]
 
 constexpr const char* kTry = "try";
 constexpr const char* kCamera = "camera";
-/// Parts that are a text each.
+/// Parts of an address that are one text each.
 struct TextKey {
     std::string_view key;
     std::string Address::*text;

@@ -25,7 +25,7 @@ struct Address {
     bool operator==(const Address&) const = default;
 };
 
-/// Whether an address can describe this camera: eye and target differ, and the numbers are not larger than
+/// True if an address can describe this camera: eye and target differ, and the numbers are not larger than
 /// lessons allow.
 bool can_be_told(const render::Camera& camera);
 
@@ -33,7 +33,7 @@ bool can_be_told(const render::Camera& camera);
 /// @throws std::invalid_argument for a camera that cannot be described, and for parts without a lesson
 std::string fragment_of(const Address& address);
 
-/// Reads a text of fragment_of, also behind a `#`, and behind the # of a whole URL.
+/// Reads a text of fragment_of, which may also follow a `#`, or the # of a whole URL.
 /// @throws std::runtime_error that says what is wrong, at which character, and what was expected. Whether the
 ///         lesson, the place and the experiments exist is not checked here.
 Address read_address(std::string_view text);

@@ -9,9 +9,9 @@ namespace jw::host {
 
 namespace {
 
-// work of a story (see StoryTelling) before it continues in the background. The lessons here need 10 to 60 ms
-// for it, and most end before; in a web page two or three times as long. A count, not a time: what a lesson
-// does must not depend on the load of the machine
+// work of a story (see StoryTelling) before it continues in the background: 10 to 60 ms for the lessons here,
+// two or three times as long in a web page; most stories end earlier. A count, not a time, so that the
+// behaviour of a lesson does not depend on the load of the machine
 constexpr double kMostAtOnce = 25'000.0;
 
 /// True if two lessons are the same, perhaps in two copies.

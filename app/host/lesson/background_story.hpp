@@ -12,7 +12,7 @@
 namespace jw::host {
 
 /// Thrown by an action that needs a story that is still being computed. The action changes nothing, and is
-/// done again when the story is there. This is not an error: handlers of errors must let it pass.
+/// done again when the story is complete. This is not an error: handlers of errors must let it pass.
 struct NotToldYet {};
 
 /// A lesson whose story is computed in the background; a part may have been computed before.
@@ -36,7 +36,7 @@ private:
 };
 
 /// The storyteller of a window: it computes short stories at once, and long ones in the background. An action
-/// that met NotToldYet is done again, and must then ask for the same stories in the same order, except for
+/// that threw NotToldYet is done again, and must then ask for the same stories in the same order, except for
 /// the parts that are done already. Stories are identified by the text of their lesson, and kept until
 /// nothing needs them.
 class BackgroundStories {
@@ -45,11 +45,11 @@ public:
     ToldLesson tell(const std::shared_ptr<const Lesson>& lesson, const StoryOptions& options);
     /// Begins an action that needs stories, for the first time or again.
     void begin() { asked_ = 0; }
-    /// Discards all stories, and stops the one that is being computed; for when nothing needs them any more.
+    /// Discards all stories, and stops a running computation. Call it when nothing needs them any more.
     void forget();
 
-    /// A story is being computed in the background; call the next three functions only then. Once it
-    /// `is_done`, the action that needs it can be done again.
+    /// True while a story is computed in the background; call the next three functions only then. Once the
+    /// story `is_done`, the action that needs it can be done again.
     bool is_busy() const { return background_ != nullptr; }
     bool is_done() const { return background_->is_done(); }
     double progress() const { return background_->progress(); }

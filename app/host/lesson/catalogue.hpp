@@ -48,7 +48,7 @@ class RecentLessons {
 public:
     /// @param file  empty: nothing is kept
     explicit RecentLessons(std::filesystem::path file);
-    /// $XDG_STATE_HOME/jointwise/recent or its usual place; empty if there is no home.
+    /// $XDG_STATE_HOME/jointwise/recent, by default below ~/.local/state; empty if there is no home.
     static std::filesystem::path usual_file();
 
     const std::vector<std::filesystem::path>& paths() const { return paths_; }

@@ -24,13 +24,13 @@ public:
     std::string name_of(const std::filesystem::path& lesson) const {
         return name_in_addresses(lesson, folder_);
     }
-    /// The lesson with such a name, among those offered or opened last.
+    /// The lesson with this name in addresses, among those offered or opened last.
     /// @throws std::runtime_error if there is none
     std::filesystem::path lesson_called(const std::string& name) const {
         return lesson_at_address(name, folder_, recent_.paths());
     }
 
-    /// The entries. Whoever draws adds the thumbnails, which `refresh` keeps.
+    /// The entries. The code that draws adds the thumbnails, which `refresh` keeps.
     std::vector<CatalogueEntry>& entries() { return entries_; }
     const std::vector<CatalogueEntry>& entries() const { return entries_; }
 

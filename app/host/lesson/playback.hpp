@@ -13,11 +13,11 @@ public:
     double speed() const { return speed_; }
     /// The free motion that is followed, in the order of RankReport::free_motions; -1: none.
     int freedom() const { return freedom_; }
-    /// The picture changes from frame to frame.
+    /// True while the picture changes from frame to frame.
     bool is_moving() const { return playing_ || freedom_ >= 0; }
 
     void pause() { playing_ = false; }
-    /// Plays from the beginning of the step that is shown.
+    /// Plays from the beginning of the step that is shown, or pauses.
     void play_or_pause();
     /// Plays on from the beginning of the step that is shown next.
     void play();

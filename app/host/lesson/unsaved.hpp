@@ -37,7 +37,7 @@ private:
 
     std::filesystem::path folder_;
     std::filesystem::path path_;
-    std::uint64_t told_ = 0;  ///< telling that the copy is of, or that needs none
+    std::uint64_t told_ = 0;  ///< telling that the copy was made of, or that needs no copy
     bool complained_ = false;
 };
 

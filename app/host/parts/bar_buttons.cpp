@@ -25,7 +25,7 @@ enum class RowButton { first, back, play, motion, next, speed, lessons, menu, he
 /// A button of the row, from the left.
 struct RowEntry {
     RowButton button;
-    bool steps;    ///< steps or plays: not for a figure
+    bool steps;    ///< it steps or plays, and is left out for a figure
     int given_up;  ///< order of removal if there is not enough room; 0 stays
 };
 constexpr std::array kRow{RowEntry{RowButton::first, true, 3},    RowEntry{RowButton::back, true, 0},
@@ -56,7 +56,7 @@ float width_of_label(const std::string& label) {
     return ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
-/// Width for the longest label of the button; for short labels, the height.
+/// Width for the longest label of the button; buttons with short labels are square.
 float needed_width(RowButton button, float height) {
     switch (button) {
         case RowButton::play:

@@ -41,7 +41,7 @@ std::string exercises_text(const CatalogueEntry& e, const Progress& progress) {
                              "{1} of {0} exercises solved", solved);
 }
 
-/// What a card says below the title: "slide 2 · 3 exercises".
+/// Text of a card below the title: "slide 2 · 3 exercises".
 std::string origin_text(const CatalogueEntry& e, const Progress& progress) {
     if (e.exercises.empty()) { return shown_slides(e.source); }
     const std::string exercises = exercises_text(e, progress);

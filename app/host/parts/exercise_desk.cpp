@@ -67,7 +67,7 @@ ExerciseDesk::News ExerciseDesk::look(const OpenLesson& open, ExerciseTab& tab) 
     if (practice_.task() != nullptr && practice_.tasks_made() != begun_) { begin(tab); }
     if (drawing_ && drawing_->is_done()) {
         const auto done = std::move(drawing_);
-        // the exercise is asked even if its scene cannot be drawn
+        // the exercise is set even if its scene cannot be drawn
         try {
             figure_ = done->take();
         } catch (const std::exception&) { figure_.reset(); }

@@ -39,13 +39,13 @@ public:
 
     /// Call when another lesson has been opened; a lesson that was put aside is discarded.
     void open(const std::filesystem::path& lesson_file);
-    /// What `look` did.
+    /// Result of `look`.
     struct News {
         bool any = false;
         bool other_picture = false;  ///< another lesson, or figure
     };
-    /// Takes over computed results: begins a task when its numbers are ready, and brings back the lesson put
-    /// aside when the exercise was left.
+    /// Takes over computed results: begins a task when its numbers are ready. Brings back the lesson that was
+    /// put aside, if the exercise has been left.
     News look(const OpenLesson& open, ExerciseTab& tab);
     /// Waits for all running computations.
     void wait();

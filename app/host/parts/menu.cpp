@@ -23,7 +23,7 @@ constexpr float kColumnWidth = 350.0F;  // of the list of keys, at least
 constexpr float kKeysWidth = 96.0F;
 constexpr float kMouseWidth = 190.0F;
 
-/// A line of the sheet: what to press, and what it does.
+/// A line of the sheet: keys or a gesture, and their effect.
 struct Line {
     const char* keys;
     const char* text;
@@ -123,7 +123,7 @@ float draw_sections(const panels::Canvas& canvas, const Box& box, const std::vec
     for (const Section& section : all) {
         const float needed = draw_section(canvas.measuring(), column, section);
         const float used = column.y - box.y;
-        // a section that is more than half beyond the share of its column begins the next one
+        // a section that is more than half beyond the share of its column begins the next column
         if (used > 0.0F && columns_left > 1 &&
             used + 0.5F * needed > (used + left) / static_cast<float>(columns_left)) {
             column.x += width + gap;
@@ -159,7 +159,7 @@ void menu(const LessonUi& ui) {
 
 namespace {
 
-/// The list itself, which can be scrolled if it is higher than the sheet.
+/// Draws the list of keys, which can be scrolled if it is higher than the sheet.
 void draw_list_of_keys(const Ui& ui, const Box& box) {
     ImGui::SetCursorScreenPos({box.x, box.y});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, {0.0F, 0.0F, 0.0F, 0.0F});

@@ -63,7 +63,7 @@ float room_for_field(const QuestionView& question) {
     return ImGui::GetContentRegionAvail().x - beside;
 }
 
-/// Pose into which the user has led the body in question, as it would be typed.
+/// Pose into which the user has led the body that is asked about, as text that could be typed.
 std::string pose_in_hand(const Session& session) {
     const Step& step = session.step();
     const PoseAnswer& asked = std::get<PoseAnswer>(question_of(session.lesson(), step).answer);
@@ -106,7 +106,7 @@ void Predictions::draw(const LessonUi& ui, const Box& scene) {
         field_[0] = '\0';
     }
     const Step& step = ui.session.step();
-    // it belongs to the previous question
+    // the objection belongs to the previous question
     if (step.question != asked_) { objection_.clear(); }
     asked_ = step.question;
     if (step.kind == Step::Kind::question && is_shown(ui.session)) {
@@ -134,7 +134,7 @@ void Predictions::ask(const LessonUi& ui, const Box& scene, const Step& step) {
 }
 
 /// Field for an answer, and the buttons beside it. If the buttons of a choice leave no room for the field,
-/// only they can be used.
+/// only these buttons can be used.
 void Predictions::field(const LessonUi& ui, const QuestionView& question, const Step& step) {
     const float room = room_for_field(question);
     const bool is_typed = question.choices.empty() || room >= ui.px(kLeastField);

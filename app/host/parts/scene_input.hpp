@@ -7,7 +7,7 @@
 #include "render/scene/camera.hpp"
 #include "render/scene/orbit.hpp"
 
-/// Mouse and keys on the 3D picture: turn, move, zoom, point at things and pull them.
+/// Mouse and keys on the 3D picture: turn, move, zoom, point at objects and pull them.
 namespace jw::host {
 
 /// Number (see picture_id) of the object drawn nearest to a pixel; 0 for nothing.
@@ -35,7 +35,7 @@ public:
     void handle(const LessonUi& ui, const render::Rect& viewport, bool reachable);
     /// Continues the turn of the camera. @return true while it turns
     bool advance(double seconds);
-    /// The view turns, or something is held.
+    /// True while the view turns, or the mouse drags the view or a body.
     bool is_busy() const { return turned_ < 1.0 || (mode_ != Mode::idle && moved_); }
     bool is_dragging() const { return mode_ == Mode::drag; }
     /// Lets go of everything, wherever the mouse is.

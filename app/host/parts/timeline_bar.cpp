@@ -39,7 +39,7 @@ void draw_mark(const Canvas& canvas, Point at, Step::Kind kind, bool present) {
             canvas.line({at.x - half, at.y + half}, {at.x + half, at.y - half}, theme::kRedundant, thick);
             break;
         }
-        // marks without letters, because they are close together
+        // these marks have no letters, because marks are close together
         case Step::Kind::question: canvas.square(at, size, ink, false); break;
         case Step::Kind::answer: canvas.disc(at, 0.5F * size, ink); break;
         case Step::Kind::motion: break;

@@ -19,9 +19,9 @@ std::string how_to_answer(const Task& task);
 /// "Right.", "Not correct: wrong sign."
 std::string title_of(const Judged& judged);
 
-/// The answer is a lesson file.
+/// True if the answer is a lesson file.
 bool is_file(ExerciseKind kind);
-/// The answer is typed into the field and consists only of numbers.
+/// True if the answer is typed into the field and consists only of numbers.
 bool is_of_numbers(ExerciseKind kind);
 
 }  // namespace jw::host

@@ -88,8 +88,8 @@ void ExerciseTab::row(const LessonUi& ui, const Practice& practice, int index) {
     panels::paragraph(canvas, {words.x, words.y + title, inner, height}, fonts.small, theme::kSoft, below);
 }
 
-/// A character that can begin a number goes into the field, and so do those after it. Where a choice is asked
-/// for, its number is handed in at once.
+/// Puts a character that can begin a number into the field, and the characters after it. The number of a
+/// choice is handed in at once.
 bool ExerciseTab::act_on_letter(unsigned character, const Practice& practice, Requests& requests) {
     const Task* const task = practice.task();
     if (task == nullptr || !is_of_numbers(task->exercise().kind)) { return false; }

@@ -20,7 +20,7 @@ struct ExerciseWork {
 class ExerciseTab {
 public:
     void draw(const LessonUi& ui, const panels::Box& box, const Practice& practice, const ExerciseWork& work);
-    /// The tab as lines of text, for people who do not see it.
+    /// The tab as lines of text, for people who cannot see it.
     std::string text(const Practice& practice, const ExerciseWork& work) const;
 
     /// Handles keys while no field has the keyboard: they select in the list, and move to the answer field. A

@@ -8,7 +8,7 @@
 #include "app/session/wording/text_width.hpp"
 #include "lessons/math/text_parts.hpp"
 
-/// The tab of exercises for people who do not see it: the words that are drawn, line by line.
+/// The tab of exercises for people who cannot see it: the words that are drawn, line by line.
 namespace jw::host {
 
 namespace {
@@ -64,7 +64,7 @@ std::string question_text(const Task& task) {
     return text;
 }
 
-/// The scene as a lesson file, with what a figure cannot show. It is long, so it comes last.
+/// The scene as a lesson file, with data that a figure cannot show. It is long, so it comes last.
 std::string scene_text(const Task& task) {
     if (!hands_out_file(task.exercise()) || task.exercise().asked.empty()) { return {}; }
     return as_it_stands(tr("The scene as a lesson file")) + as_it_stands(handed_out(task));
@@ -76,7 +76,7 @@ std::string answer_text(const Task& task, const ExerciseWork& work, const std::s
         for (const std::string& action : work.experiments) { text += "- " + as_it_stands(action); }
         return work.experiments.empty() ? text + as_it_stands(tr("none so far")) : text;
     }
-    // an answer as long as a file would be read out again with every letter
+    // a whole file would be read out again with every letter that is typed
     if (is_file(task.exercise().kind) || answer.empty()) { return text; }
     return text + as_it_stands(tr("In the field: {0}", answer));
 }

@@ -44,7 +44,7 @@ void author_words(const LessonUi& ui, const std::string& text) {
     rich_words(ui, panels::typeset(panels::run_on(text)), ui.canvas.fonts().normal, theme::kInk);
 }
 
-/// Scrolls the column to what was drawn below `top`; to `top` itself if that is higher than the column.
+/// Scrolls to the content drawn below `top`; to `top` itself if the content is higher than the column.
 void bring_into_sight(const LessonUi& ui, float top) {
     const float height = ImGui::GetWindowHeight() - ui.px(8.0F);
     const float bottom = ImGui::GetCursorPosY();
@@ -102,7 +102,7 @@ void ExerciseTab::question(const LessonUi& ui, const Task& task) {
         rich_words(ui, "$" + given_latex(symbol) + "$", fonts.normal, theme::kInk);
     }
     choices(ui, task);
-    // what a figure cannot show: the names of the joints, and where their points are
+    // data that a figure cannot show: the names of the joints, and the places of their points
     const bool has_scene = hands_out_file(task.exercise()) && !task.exercise().asked.empty();
     if (has_scene && ImGui::CollapsingHeader(tr("The scene as a lesson file"))) {
         text_box(ui, "scene", handed_out(task), kLinesOfFile);

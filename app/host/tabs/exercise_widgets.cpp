@@ -17,7 +17,7 @@ namespace {
 using panels::Canvas;
 namespace theme = panels::theme;
 
-// a student's numbers may have many digits
+// digits shown of an entry: a student's numbers may have many more
 constexpr int kEntryDigits = 6;
 constexpr std::size_t kLongestAnswer = 200000;
 

@@ -33,7 +33,7 @@ void forms(const LessonUi& ui, int index, const Joint& joint) {
     if (const auto form = radio_buttons(kParallelForms, joint.parallel_form, ui.px(156.0F))) {
         ui.requests.add(SetParallelForm{index, *form});
     }
-    // p1 and p2 usually have the same reason
+    // p1 and p2 usually have the same reason, which is shown once
     std::string said;
     for (const EquationGroup& group : ui.session.view().equations) {
         if (!group.choice || group.joint != index || group.choice->reason == said) { continue; }
@@ -42,7 +42,7 @@ void forms(const LessonUi& ui, int index, const Joint& joint) {
     }
 }
 
-/// Draws the condition of the pair in use for every direction; dragging on the sphere turns the axis of
+/// Draws the quality of the pair in use for every direction; dragging on the sphere turns the axis of
 /// body i.
 void sphere(const LessonUi& ui, int index, const Joint& joint) {
     const ParallelForm form = joint.parallel_form;

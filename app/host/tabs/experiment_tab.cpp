@@ -105,7 +105,7 @@ void parts(const LessonUi& ui) {
     }
 }
 
-/// The equations of which any single one can be taken out without loss of rank.
+/// Redundant equations, and the equations of which any single one can be taken out without loss of rank.
 void repeated_equations(const LessonUi& ui) {
     const RankReport& report = ui.session.rank();
     if (report.redundant_rows.empty()) { return; }

@@ -19,7 +19,7 @@ using panels::Point;
 
 constexpr double kZoomPerNotch = 1.25;
 constexpr float kReach = 12.0F;         // pixels at 720
-constexpr float kLeastCurves = 230.0F;  // height of the curves, for three units below each other
+constexpr float kLeastCurves = 230.0F;  // height of the curves, for three units one below the other
 
 }  // namespace
 

@@ -72,7 +72,7 @@ void PriceTab::controls(const LessonUi& ui) {
     width_beside_label(ui, tr("constraints"), 150.0F);
     if (ImGui::BeginCombo(tr("constraints"), std::string(entry_of(treatment_).name).c_str())) {
         for (const TreatmentName& entry : kTreatments) {
-            // only for implicit methods, which already use it for projection
+            // left out: it is only for implicit methods, which already use it for projection
             if (entry.treatment == Treatment::tangent) { continue; }
             if (ImGui::Selectable(std::string(entry.name).c_str(), entry.treatment == treatment_)) {
                 treatment_ = entry.treatment;

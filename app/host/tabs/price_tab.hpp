@@ -21,7 +21,7 @@ public:
     explicit PriceTab(std::filesystem::path lesson_file) : lesson_file_(std::move(lesson_file)) {}
 
     void draw(const LessonUi& ui, const panels::Box& box);
-    /// True while a measurement runs: it brings something new without an event.
+    /// True while a measurement runs: it brings new results without an event.
     bool is_measuring() const { return job_ && !news_.done; }
 
 private:

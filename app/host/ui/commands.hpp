@@ -111,7 +111,7 @@ std::span<const CommandInfo> command_table();
 const CommandInfo& info_of(Command command);
 
 /// Command of a key or a typed character; nullptr if it has none.
-/// @param ctrl  is held down
+/// @param ctrl  true if Ctrl is held down
 const CommandInfo* command_for(const InputEvent& event, bool ctrl);
 
 }  // namespace jw::host

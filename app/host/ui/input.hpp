@@ -8,7 +8,7 @@ struct ImGuiIO;
 /// Mouse and keyboard events as values, made by a window or by tests.
 namespace jw::host {
 
-/// Longest way of the pointer [pixels] between press and release of a click; a longer one is a drag.
+/// Longest motion of the pointer [pixels] between press and release of a click; a longer one is a drag.
 inline constexpr float kLongestClick = 3.0F;
 
 /// Number of a button that no mouse has. It turns the view, whatever is below the pointer, as a finger does.

@@ -43,7 +43,7 @@ struct WindowLayout : panels::FrameLayout {
 struct Scroll {
     float offset = 0.0F;  ///< pixels hidden above
     float most = 0.0F;    ///< largest offset; 0: everything is visible
-    float wanted = 0.0F;  ///< by a command, in parts of its height; applied in the next frame
+    float wanted = 0.0F;  ///< by a command, in parts of the visible height; applied in the next frame
     bool held = false;    ///< the pointer drags its bar
 };
 

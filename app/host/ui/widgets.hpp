@@ -38,7 +38,7 @@ void command_button(
 /// A button as high as its text, for a line of text; for fingers it has the usual height.
 bool small_button(const char* label);
 
-/// Tip for the item before, shown while the pointer is on it; wrapped to `widest`, or to a narrow window.
+/// Tip for the last item, shown while the pointer is on it; wrapped to `widest`, or to a narrow window.
 void tip_of_item(const std::string& text, float widest = FLT_MAX);
 /// Tip for an item that carries out a command: what the command does, and its keys.
 void tip_of_command(Command command);
@@ -57,7 +57,7 @@ void width_beside_label(const Ui& ui, const char* label, float most);
 
 /// Rest of a scrolling column below the cursor, at least `least` high.
 panels::Box rest_of_column(const Ui& ui, const panels::Box& column, float least);
-/// Adds what was drawn at `place` to the scrolled contents.
+/// Adds the area `place`, which was drawn into, to the scrolled contents.
 void end_column_at(const panels::Box& place);
 
 /// Puts the next radio button or check box beside the last one, at a multiple of `step` from the left, if its

@@ -68,7 +68,7 @@ float equations_of_step(const Canvas& canvas, const Box& box, const View& view, 
     return view.equations.empty() ? 0.0F : equations_panel(canvas, box, view.equations, density);
 }
 
-/// If the question asked for a row, the equations, which show the rows that are kept, are the answer.
+/// Equations of the step, if the question asked for a row: the rows that are kept are the answer.
 float row_answer_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
     const bool of_rows = view.question && view.question->kind == QuestionView::Kind::thing &&
                          view.question->thing == Thing::Kind::row;
@@ -83,7 +83,7 @@ float values_panel(const Canvas& canvas, const Box& box, const View& view, Densi
     return equations_panel(canvas, box, bare, Density::tight);
 }
 
-/// During the motion: the equations among which there is a choice, or all if there is none.
+/// Equations with a choice of rows, or all equations if there are none; for the motion.
 float choices_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
     std::vector<EquationGroup> shown;
     std::ranges::copy_if(view.equations, std::back_inserter(shown), [](const EquationGroup& group) {
@@ -163,7 +163,7 @@ void leave_out_last(std::vector<float>& heights, float gap, float room) {
     }
 }
 
-/// Distributes the height that is left to the blocks that fill, the first one first.
+/// Distributes the height that is left to the blocks that fill, beginning with the first.
 void share_out(
     std::vector<float>& heights, const std::vector<Block>& blocks, float Block::*goal, float& left) {
     for (std::size_t k = 0; k < blocks.size() && left > 0.0F; ++k) {

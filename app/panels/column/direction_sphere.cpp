@@ -98,8 +98,8 @@ void name_lines(const SphereView& view, const std::vector<SphereLine>& lines, La
     }
 }
 
-/// Labels of the rule: the component whose equation is left out in each cap, and the worst condition, at a
-/// corner.
+/// Writes the labels of the rule: the component whose equation is left out in each cap, and the worst value,
+/// at a corner.
 void name_caps(const SphereView& view, Labels& labels) {
     for (int k = 0; k < 3; ++k) {
         const Vec3 pole = (view.faces(Vec3::Unit(k)) ? 1.0 : -1.0) * Vec3::Unit(k);

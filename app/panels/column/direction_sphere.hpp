@@ -20,7 +20,7 @@ enum class PairInUse { rule, drop_x, drop_y, drop_z };
 struct DirectionSphere {
     PairInUse pair = PairInUse::rule;
     std::optional<Vec3> axis;  ///< current direction of s_i, global, unit
-    int dropped = -1;          ///< what the rule drops now (it may keep an earlier choice); -1: the largest
+    int dropped = -1;          ///< component that the rule leaves out (may be an earlier choice); -1: largest
     std::vector<Vec3> trail;   ///< earlier directions of s_i, oldest first, unit
 };
 

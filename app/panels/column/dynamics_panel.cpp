@@ -56,7 +56,7 @@ constexpr std::array kOfQ{
     Heading{R"(\mathbf{f})", "N", 0.5F},
     Heading{R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')", "N m", 1.0F}};
 
-/// A number with few digits, whatever its size: masses may be decades apart.
+/// A number with few digits, whatever its size: masses may differ by several powers of ten.
 std::string short_number(double value) {
     constexpr double nothing = 1e-12;
     return with_minus_signs(number_text(std::abs(value) < nothing ? 0.0 : value, 3));

@@ -69,7 +69,7 @@ void draw_component(const Canvas& canvas, const Box& cell, const EquationRow& ro
     if (fits) { canvas.text({right + canvas.px(6.0F), cell.y + drop}, small, word_ink, word); }
 }
 
-/// "p1 · in m": the owner of the equation, if those of several are shown, and its unit.
+/// "p1 · in m": the owner of the equation, if several owners are shown, and its unit.
 std::string aside_of(const EquationGroup& group) {
     const std::string unit =
         group.unit.empty() || group.unit == "-" ? std::string() : tr("in {0}", group.unit);

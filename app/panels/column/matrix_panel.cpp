@@ -70,7 +70,7 @@ void draw_rows_background(const Canvas& canvas, const MatrixView& matrix, const 
     }
 }
 
-/// Drawn before the entries, so that these keep their colours.
+/// Draws the shade of redundant rows; call it before the entries are drawn, which keep their colours.
 void draw_redundant_rows(const Canvas& canvas, const MatrixView& matrix, const MatrixLayout& layout) {
     for (std::size_t k = 0; k < matrix.rows.size(); ++k) {
         if (!matrix.rows[k].redundant) { continue; }

@@ -38,7 +38,7 @@ std::array<std::string, 3> numbers_of(const QuantityMotion& quantity, int decima
         column_text(quantity.acceleration, std::max(1, least)) + per + "/s²"};
 }
 
-/// How the quantities are set. Large text in a narrow column gets fewer decimals, then two lines each.
+/// Layout of the quantities. Large text in a narrow column gets fewer decimals, then two lines each.
 struct QuantityStyle {
     int decimals = 4;
     bool two_lines = false;
@@ -110,7 +110,7 @@ void draw_numbers(const Canvas& canvas, const Box& cell, const Vector& v, int de
     }
 }
 
-/// A symbol over its columns, with its unit, and a line under all of them.
+/// Draws a symbol and its unit over the columns of a vector, with a line below.
 void draw_symbol(const Canvas& canvas, const Box& cell, const Symbol& symbol) {
     if (*symbol.latex == '\0') { return; }
     const ImFont* const small = canvas.fonts().small;

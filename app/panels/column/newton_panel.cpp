@@ -61,7 +61,7 @@ Places places_of(const Canvas& canvas, const Box& box) {
     return places;
 }
 
-// no note for it: the column of the part taken already shows it
+// this note gets no line of its own: the column 'share' already shows it
 constexpr const char* kStepLimited = tr_later("step limited");
 
 struct Line {

@@ -47,8 +47,7 @@ float coordinates_panel(const Canvas& canvas, const Box& box, const View& view, 
 /// and momenta.
 float dynamics_panel(const Canvas& canvas, const Box& box, const View& view, Density density);
 
-// ---- small plots over powers of ten, without names of curves, and without actions of the mouse
-// -------------
+// ---- small plots over powers of ten, without names of curves and without mouse actions ----------
 
 /// Singular values, largest first: those below the threshold count as zero, and are hollow.
 void singular_values_plot(const Canvas& canvas, const Box& box, const RankView& rank);

@@ -37,7 +37,7 @@ std::array<Figure, 6> figures_of(const RankView& rank) {
     const bool grown = rank.rank_before >= 0 && rank.rank_before != rank.rank;
     const bool here = rank.differs_once_assembled();
     const int redundant = rank.redundant();
-    // a growth that is lost by the assembly is not shown
+    // a growth of the rank that assembling undoes is not shown
     const std::string number = grown && !here
                                    ? std::to_string(rank.rank_before) + " → " + std::to_string(rank.rank)
                                    : std::to_string(rank.rank);
@@ -51,7 +51,7 @@ std::array<Figure, 6> figures_of(const RankView& rank) {
     }};
 }
 
-/// The first `most` texts, then how many more there are.
+/// The first `most` texts, then the number of the others.
 float list_of_texts(
     const Canvas& canvas, const Box& box, const std::vector<std::string>& texts, std::size_t most,
     std::size_t lines_each) {

@@ -46,7 +46,7 @@ std::vector<Segment> arrows_on_picture(
     return segments;
 }
 
-/// Names of joints are bold, to differ from names of bodies.
+/// Font of a name: bold for joints, so that their names differ from those of bodies.
 const ImFont* font_of(const Canvas& canvas, const Annotation& name) {
     return name.link.kind == Pointable::Kind::joint ? canvas.fonts().bold : canvas.fonts().small;
 }

@@ -75,7 +75,7 @@ Box inside_caption(const Canvas& canvas, const Box& box) {
     return shrunk(box, canvas.px(theme::kMargin), canvas.px(12.0F));
 }
 
-/// The large font if three lines are enough.
+/// Font of the sentence: the large one if three lines are enough.
 const ImFont* font_of_sentence(const Canvas& canvas, const Box& inner, const View& view) {
     const render::Fonts& fonts = canvas.fonts();
     return wrapped(*fonts.normal, view.sentence, inner.width).size() > 3 ? fonts.small : fonts.normal;
@@ -87,7 +87,7 @@ std::string trimmed(std::string text) {
     return text.substr(first, text.find_last_not_of(" \n") - first + 1);
 }
 
-/// Paragraphs of a question or an answer, below each other.
+/// Paragraphs of a question or an answer, one below the other.
 struct Asked {
     std::string text;
     bool soft = false;

@@ -29,7 +29,7 @@ constexpr float kUprightTitleHeight = 84.0F;  // three lines: two texts do not f
 constexpr float kMostSceneShape = 0.8F;       // largest height of the picture over its width
 constexpr float kUprightScenePart = 0.39F;    // of the height that title, tabs and bar leave
 constexpr float kUprightCaptionPart = 0.17F;
-constexpr float kFinger = 40.0F;            // height that it needs, in pixels of a web page
+constexpr float kFinger = 40.0F;            // height that a finger needs, in pixels of a web page
 constexpr float kUnknownDensity = 1.25F;    // relative to scale_of, as on a phone
 constexpr float kUprightBarHeight = 54.0F;  // in addition to the buttons: a line to scrub on, and gaps
 
@@ -124,7 +124,7 @@ float scale_on_screen(int width, int height, const Looking& looking) {
 float scale_without_panels(int width, int height) {
     const auto w = static_cast<float>(width);
     const auto h = static_cast<float>(height);
-    // the 3D picture in a frame of 1280x720, or over the whole width
+    // 768x496 is the 3D picture in a frame of 1280x720; in an upright frame, it has the whole width
     return is_upright(w, h) ? scale_of(width, height) : std::min(w / 768.0F, h / 496.0F);
 }
 

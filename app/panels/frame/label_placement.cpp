@@ -12,7 +12,7 @@ namespace jw::panels {
 namespace {
 
 constexpr int kDirections = 12;
-// distances between point and label in gaps; the last ones only for labels that must be shown
+// distances between point and label, in units of the gap; the last ones only for labels that must be shown
 constexpr std::array kRings{1.0F, 2.2F, 4.0F, 7.0F, 11.0F, 16.0F};
 constexpr std::size_t kRingsOfOptional = 2;
 constexpr std::size_t kFirstFarRing = 2;

@@ -52,7 +52,7 @@ inline Box column_of(const Box& box, int index, int count) {
     return {box.x + width * static_cast<float>(index), box.y, width, box.height};
 }
 
-/// Takes a strip off `rest`.
+/// Cuts a strip off the top of `rest`.
 inline Box cut_top(Box& rest, float height) {
     const float taken = std::min(height, rest.height);
     const Box top{rest.x, rest.y, rest.width, taken};

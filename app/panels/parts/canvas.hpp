@@ -74,7 +74,7 @@ public:
     float line_height(const ImFont* font) const;
     float text_width(const ImFont* font, std::string_view text) const;
 
-    /// `y` is the top of the line; `x` its left edge, centre or right edge.
+    /// Draws text. `at.y` is the top of the line, `at.x` its left edge, centre or right edge.
     void text(
         Point at, const ImFont* font, Colour colour, std::string_view text, Align align = Align::left) const;
     /// One glyph at any x, as formulas need it. @param stretch  in height, from `origin` on

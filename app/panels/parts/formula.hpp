@@ -48,7 +48,7 @@ struct Formula {
     std::vector<FormulaSymbol> symbols;
     std::vector<FormulaRule> rules;
     float width = 0.0F;
-    float ascent = 0.0F;   ///< height above the baseline, only of what is drawn
+    float ascent = 0.0F;   ///< height of the drawn parts above the baseline
     float descent = 0.0F;  ///< depth below the baseline
 };
 

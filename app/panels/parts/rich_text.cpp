@@ -133,7 +133,7 @@ private:
     const render::Fonts* fonts_;
     const ImFont* font_;
     std::vector<Chunk> chunks_;
-    char32_t last_ = U' ';  ///< before the next piece
+    char32_t last_ = U' ';  ///< last character before the next piece
     bool pending_space_ = false;
     bool pending_line_ = false;
     bool may_break_ = false;  ///< a line may break here without a space

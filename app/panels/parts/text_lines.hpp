@@ -8,7 +8,7 @@
 
 struct ImFont;
 
-/// Lines of interface text: their width, where to break and how to shorten them. Nothing is drawn here.
+/// Lines of interface text: width, line breaks and shortening. Nothing is drawn here.
 namespace jw::panels {
 
 float text_width(const ImFont& font, std::string_view text);

@@ -28,7 +28,7 @@ inline constexpr Colour kNegative = render::from_hex(0x1D62A8);  ///< entries of
 inline constexpr Colour kPositive = render::from_hex(0xE07B12);  ///< entries of Φq above 0
 
 // distances at 720, see Canvas::px
-inline constexpr float kMargin = 16.0F;  ///< from the edge of a panel to what it shows
+inline constexpr float kMargin = 16.0F;  ///< from the edge of a panel to its contents
 inline constexpr float kGap = 14.0F;     ///< between panels
 
 }  // namespace jw::panels::theme

@@ -31,7 +31,7 @@ bool is_latin(char32_t c) { return (c >= U'a' && c <= U'z') || (c >= U'A' && c <
 bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
 bool is_capital(char32_t c) { return (c >= U'A' && c <= U'Z') || (c >= 0x0391 && c <= 0x03A9); }
 
-/// Vectors are bold italic; matrices, Φ and 0 are bold upright.
+/// Bold form of a character: italic for vectors; upright for matrices, Φ and 0.
 char32_t bold(char32_t c) {
     return is_capital(c) || is_digit(c) ? render::math_bold(c) : render::math_bold_italic(c);
 }
@@ -157,7 +157,7 @@ private:
     float em() const { return font().FontSize; }
     float axis() const { return kAxis * em(); }
     Typesetter smaller() const { return {fonts_, false, true}; }
-    /// For the parts of a fraction.
+    /// Typesetter for the parts of a fraction.
     Typesetter part() const { return {fonts_, false, small_ || !display_}; }
 
     Formula node(const math::Node& node) const {
@@ -185,7 +185,7 @@ private:
         return laid;
     }
 
-    /// How much lower a subscript must be so that it does not overlap the superscript: scripts of small
+    /// Distance by which a subscript is lowered so that it does not overlap the superscript: scripts of small
     /// formulas are hardly smaller than their letters.
     float room_between(const math::Node& node, float raise, float lower) const {
         if (node.below.empty() || node.above.empty()) { return 0.0F; }

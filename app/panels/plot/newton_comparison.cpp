@@ -15,7 +15,7 @@ namespace jw::panels {
 
 namespace {
 
-constexpr float kRoomForTurns = 560.0F;  // least width for them; below it, the outcome needs the room
+constexpr float kRoomForTurns = 560.0F;  // least width to show turns; below it, the outcome needs the room
 
 /// Right edges of the columns in parts of the width; names and outcomes are left-aligned.
 struct Columns {

@@ -181,7 +181,7 @@ void draw_cursor(const Canvas& canvas, const PlotLayout& layout, const SeriesSet
         layout.cursor_text, Align::centre);
 }
 
-/// Writes what is not drawn, at the end of the first caption's line.
+/// Writes how many names and units are left out, at the end of the line of the first caption.
 void draw_left_out(const Canvas& canvas, const PlotLayout& layout) {
     int unnamed = 0;
     for (const PlotPane& pane : layout.panes) { unnamed += pane.unnamed; }

@@ -26,7 +26,7 @@ struct PlotState {
     int hovered = -1;             ///< highlighted series of the set, -1: none
 };
 
-/// The name of a curve at its end; also of a value at the cursor.
+/// Name of a curve at its end, or its value at the cursor.
 struct PlotLabel {
     int series = 0;
     std::string text;

@@ -65,7 +65,7 @@ TickMarks linear_ticks(const Axis& axis, int most, Ticks kind) {
     return marks;
 }
 
-/// 1, 2 and 5 times every power of ten, as plain numbers: for less than three powers.
+/// 1, 2 and 5 times every power of ten, as plain numbers; for ranges with fewer than three powers.
 std::vector<Tick> ticks_within_powers(const Range& range) {
     std::vector<Tick> ticks;
     const int low = static_cast<int>(std::floor(std::log10(range.from)));
@@ -131,7 +131,7 @@ Axis axis_of_powers(const std::vector<double>& values, int low, float start, flo
         if (std::isfinite(value)) { largest = std::max(largest, value); }
     }
     int high = low + 2;
-    // a value just above a power of ten, by rounding, does not need the next one
+    // a value just above a power of ten, by rounding, does not need the next power
     if (largest > 0.0) { high = std::max(high, static_cast<int>(std::ceil(std::log10(largest) - kSlack))); }
     high = std::min(high, std::numeric_limits<double>::max_exponent10);
     return {{std::pow(10.0, low), std::pow(10.0, high)}, true, start, end};

@@ -112,7 +112,7 @@ private:
     Point first_, low_, high_, last_;
 };
 
-/// Draws an open or filled figure with three or four corners.
+/// Draws the outline of a figure with three or four corners.
 void draw_corners(const Canvas& canvas, std::span<const Point> corners, const CurveStyle& style) {
     const float width = std::max(1.0F, 1.4F * canvas.fonts().scale);
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -165,7 +165,7 @@ std::vector<std::vector<Point>> curve_of(
     const PlotLayout& layout, const PlotPane& pane, const SeriesSet& set, int series) {
     std::vector<std::vector<Point>> runs(1);
     const PointSpan span = visible_points(set, layout.x.range);
-    // one more point on each side, because lines continue out of the window
+    // one more point on each side, because lines continue beyond the window
     const int first = std::max(0, span.first - 1);
     const int last = std::min(static_cast<int>(set.at.size()) - 1, span.last + 1);
     Column column;

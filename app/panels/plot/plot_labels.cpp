@@ -102,8 +102,8 @@ std::array<Point, 6> corners_around(Point at, float width, float line, float gap
     }};
 }
 
-/// Places the name of a curve that ends before the others beside its end, where neither a curve nor a name
-/// is; shortens it if the whole name has no room.
+/// Places the name of a curve that ends before the right edge: near its end, where no curve and no
+/// other name is. Shortens the name if it has no room as a whole.
 void place_within(
     const Canvas& canvas, const PlotLayout& layout, const SeriesSet& set, const End& end,
     const std::vector<std::vector<Point>>& curves, PlotPane& pane) {

@@ -17,7 +17,7 @@ constexpr float kNumberGap = 4.0F;     // between a number and its tick
 constexpr float kLeastPane = 3.2F;     // height of the smallest useful plot, in lines
 constexpr float kTickDistance = 2.1F;  // between numbers of a vertical axis, in lines
 constexpr float kTickWidth = 66.0F;    // room for a number of the lower axis
-constexpr float kLongName = 0.22F;     // part of the width: the longer name of a single curve is above it
+constexpr float kLongName = 0.22F;     // part of the width: a single curve has a longer name above it
 
 bool is_time(const SeriesSet& set) { return set.axis.find('[') != std::string::npos; }
 

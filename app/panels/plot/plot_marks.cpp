@@ -11,8 +11,8 @@ namespace jw::panels {
 
 namespace {
 
-constexpr float kHighBox = 18.0F;    // in lines: has room for a second row
-constexpr float kCrowded = 0.6F;     // of the width, taken by names
+constexpr float kHighBox = 18.0F;    // in lines: a higher box has room for a second row
+constexpr float kCrowded = 0.6F;     // part of the width that texts may take in one row
 constexpr float kGapOfNames = 8.0F;  // between names
 constexpr float kCloseMarks = 16.0F;
 constexpr std::size_t kFewestInStretch = 4;

@@ -22,7 +22,7 @@ void set_height(PlotState& state, const std::string& unit, const Range& range) {
     }
 }
 
-/// False for a range so short that the numbers of the axis could not be distinguished, or too large.
+/// True unless a range is too large, or so short that the numbers of the axis could not be distinguished.
 bool is_sound(const Range& range) {
     const double size = std::max(std::abs(range.from), std::abs(range.to));
     return std::isfinite(range.from) && std::isfinite(range.to) && range.length() > 1e-9 * size &&

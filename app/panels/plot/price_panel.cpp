@@ -14,7 +14,7 @@ namespace jw::panels {
 
 namespace {
 
-/// Right edge of a column of the table, in parts of its width; the last one is the least error.
+/// Right edge of a column of the table, in parts of its width; the last column shows the least error.
 float column(std::size_t k) {
     constexpr float first = 0.46F;
     constexpr float width = 0.18F;

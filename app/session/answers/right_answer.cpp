@@ -70,7 +70,7 @@ std::optional<Instant> instant_of_run(const Lesson& lesson, double t, double tol
     return found.rbegin()->second;
 }
 
-/// What `read` finds at a time of the motion. Nothing if two runs by masses and forces with different
+/// Result of `read` at a time of the motion. Nothing if two runs by masses and forces with different
 /// tolerances differ by more than the answer allows.
 template <class Read, class Agree>
 auto found_at(const Story& story, const AtTime& when, const Read& read, const Agree& agree)
@@ -134,8 +134,8 @@ std::vector<Thing> dropped_rows(const Question& question, const Step& step) {
     return rows;
 }
 
-/// Every row of a linear dependency, since each of them could be left out instead of the one that was found.
-/// In the order of the system.
+/// Every row of a linear dependency, in the order of the system: each of them could be left out instead of
+/// the one that was found.
 std::vector<Thing> redundant_rows(const Step& step, const RankReport& report) {
     std::vector<int> found;
     for (const RedundantRow& redundant : report.redundant_rows) {

@@ -44,7 +44,7 @@ public:
     void stop() override { worker_.request_stop(); }
     void wait() override { worker_.wait(); }
 
-    /// Result, once it is done.
+    /// Waits for the work and returns its result.
     /// @throws what the work threw; std::bad_optional_access if it was stopped before
     Result take() {
         wait();

@@ -11,8 +11,8 @@ namespace jw {
 /// `run_waiting_work`. The destructor tells it to stop, and waits for it.
 class Worker {
 public:
-    /// Does a piece of the work, which takes some milliseconds where somebody may wait for the next picture.
-    /// It must not throw. @return true while there is more to do
+    /// Does a piece of the work. Where somebody may wait for the next picture, a piece takes only some
+    /// milliseconds. It must not throw. @return true while there is more to do
     using Piece = std::function<bool(const std::stop_token&)>;
 
     explicit Worker(Piece piece);

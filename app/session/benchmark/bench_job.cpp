@@ -27,7 +27,7 @@ struct BenchJob::Running {
     std::mutex mutex;
     News news;
     std::uint64_t version = 0;
-    Worker worker;  ///< last: it ends before the members that it writes to
+    Worker worker;  ///< last member: it ends before the members that it writes to are destroyed
 };
 
 BenchJob::BenchJob(Lesson lesson, std::optional<Reference> reference, BenchPlan plan)

@@ -21,13 +21,13 @@ public:
     };
 
     /// @param lesson     with a point whose path can be compared
-    /// @param reference  nothing: it is computed from the lesson
+    /// @param reference  if there is none, it is computed from the lesson
     BenchJob(Lesson lesson, std::optional<Reference> reference, BenchPlan plan);
     ~BenchJob();
     BenchJob(const BenchJob&) = delete;
     BenchJob& operator=(const BenchJob&) = delete;
 
-    /// Grows whenever there are new results.
+    /// Number that grows whenever there are new results.
     std::uint64_t version() const;
     News news() const;
 
@@ -36,7 +36,7 @@ private:
     std::unique_ptr<Running> running_;
 };
 
-/// Receives the results so far, whenever there are new ones.
+/// Callback that receives all results so far whenever there are new ones.
 using TellNews = std::function<void(const BenchJob::News&)>;
 /// Measures a lesson in this thread, and reports the results after every point. A failure is reported, too.
 /// @throws Stopped if `stop` asks for it

@@ -16,7 +16,7 @@ namespace jw {
 
 namespace {
 
-/// A run that takes longer ends its method's sweep [s].
+/// CPU time of a run beyond which its method's sweep ends [s].
 constexpr double kTooLong = 5.0;
 constexpr long kMostSteps = 4'000'000;  // the finest fixed step of a sweep takes 3.3 million
 

@@ -64,13 +64,13 @@ private:
     double largest_kinetic_ = 0.0;
 };
 
-/// One run.
+/// Time and errors of one run.
 struct BenchPoint {
     double setting = 0.0;    ///< tolerance or step [s]
     double cpu = 0.0;        ///< [s], the shortest of several runs
     double position = 0.0;   ///< largest distance from the reference [m]; NaN: the run failed
     double velocity = 0.0;   ///< likewise [m/s]; NaN where the reference has none
-    double energy = 0.0;     ///< largest change / largest kinetic energy; NaN where energy is not kept
+    double energy = 0.0;     ///< largest change / largest kinetic energy; NaN where energy is not conserved
     double violation = 0.0;  ///< largest |Φ|, relative to the size of its equation; NaN: the run failed
     IntegrationCounts counts;
     std::string failure;

@@ -33,7 +33,7 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// One Newton step more: near singular poses, Newton's tolerance costs digits.
+/// The frame after one more Newton step: near singular poses, Newton's tolerance costs digits.
 BenchInstant corrected(Kinematics<OmegaLocal>& kinematics, const MotionFrame& frame) {
     kinematics.set_state(frame.state, frame.t);
     const State state = frame.change_point ? frame.state : kinematics.corrected_state();

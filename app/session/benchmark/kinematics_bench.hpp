@@ -9,7 +9,7 @@
 /// Speed against error of kinematics: position, velocity and acceleration per moment of a driven motion.
 namespace jw {
 
-/// One way to find the moments, each from the one before.
+/// One way to compute the moments of a motion, each from the moment before.
 struct KinematicsRun {
     std::string coordinates;    ///< one of kChoices, or "graph" for the way that motions are followed
     std::string rows;           ///< "selected": p1 and p2 by the rule; "n1 pair"
@@ -31,7 +31,7 @@ struct KinematicsScene {
 
 /// All ways on the same moments of one lesson. Errors are differences from poses found in (r, ω') with one
 /// Newton step beyond the tolerance.
-/// @return nothing for a lesson without a driven motion, or one that cannot be followed to its end
+/// @return nothing for a lesson without a driven motion, or if its motion cannot be followed to its end
 std::optional<KinematicsScene> bench_kinematics(const Lesson& lesson, const std::string& name);
 
 }  // namespace jw

@@ -9,7 +9,7 @@
 /// Newton with different methods from the same start, side by side.
 namespace jw {
 
-/// One way of iterating, and how it went.
+/// One way of iterating, and its outcome.
 struct NewtonRun {
     std::string name;               ///< "plain", "damped", ...
     std::vector<double> phi_norms;  ///< ‖Φ‖ before the first step and after each; the last is the outcome
@@ -22,7 +22,7 @@ struct NewtonRun {
 struct NewtonRunRow {
     std::string name;
     int iterations = 0;     ///< steps taken
-    double phi_norm = 0.0;  ///< the last one
+    double phi_norm = 0.0;  ///< after the last step
     std::string order;      ///< "2.0", "–" where it could not be measured
     std::string turn;       ///< the largest of all steps, "12.3°"; "–" where unknown
     bool closed = false;
@@ -32,7 +32,7 @@ struct NewtonRunRow {
 struct NewtonComparison {
     std::vector<NewtonRunRow> rows;
     SeriesSet residuals;  ///< ‖Φ‖ over iterations, logarithmic, a series per method; steps are the iterations
-    std::string summary;  ///< one sentence: which method was first, which failed
+    std::string summary;  ///< which methods took the fewest iterations, which failed
 };
 
 NewtonComparison compare(const std::vector<NewtonRun>& runs);

@@ -145,7 +145,7 @@ bool extrapolate(
     return true;
 }
 
-/// The equations of the bodies by an integrator that no method uses. It does not count the turns of springs;
+/// Integrates the equations of the bodies as no method does. It does not count the turns of springs;
 /// only runs of the program do.
 ReferenceWay by_extrapolation(
     const Lesson& lesson, const std::vector<double>& times, const std::stop_token& stop) {

@@ -8,9 +8,9 @@
 /// Results of a benchmark as plain values to be shown: the cost of one more digit, method by method.
 namespace jw {
 
-/// Errors of position that people ask for [m].
+/// Errors of position at which methods are compared [m].
 inline constexpr std::array<double, 3> kErrorLevels{1e-3, 1e-6, 1e-9};
-/// "1e-6 m"
+/// Level as text, "1e-6 m".
 std::string level_text(std::size_t level);
 
 struct PriceRow {

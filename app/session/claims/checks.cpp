@@ -64,7 +64,7 @@ double number_of(const QuantityClaim& claim, const Instant& instant, Absence& wh
     return v.derivatives[static_cast<std::size_t>(claim.derivative)];
 }
 
-/// A pose determines an angle only up to whole turns; a motion determines the turns, too.
+/// Difference of two values. A pose determines an angle up to whole turns; a motion determines these, too.
 double difference_of(const QuantityClaim& claim, const Instant& instant, double a, double b) {
     const bool has_turns_open =
         claim.derivative == 0 && is_modulo_turn(claim.quantity) && instant.turns.empty();
@@ -223,8 +223,8 @@ ClaimResult judged(const Claim& claim, const Pose& pose) {
     return result;
 }
 
-/// The claim `point_at_end`, which comes from a trusted computation. Two runs with different tolerances show
-/// how far the program's own computation can be trusted.
+/// Judges the claim `point_at_end`, whose value comes from a trusted computation. Two runs with different
+/// tolerances show how far the program's own computation can be trusted.
 ClaimResult judged_end(const Lesson& lesson, const Pose& pose) {
     constexpr double far =
         1e-6;  // of the scene: above the uncertainty of both, below a wrong digit that matters

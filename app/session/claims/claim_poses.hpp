@@ -15,7 +15,7 @@ namespace jw {
 struct Pose {
     Instant instant;
     /// The same instant of a run with a looser tolerance, for a motion by masses and forces. The difference
-    /// of the two is what cannot be proved.
+    /// of the two is the uncertainty that remains.
     std::optional<Instant> rough;
     std::optional<bool> change_point;    ///< as found along the motion; nothing if no motion led here
     std::optional<Stability> stability;  ///< of an equilibrium

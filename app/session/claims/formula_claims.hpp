@@ -11,8 +11,8 @@ namespace jw {
 /// Random states of the mechanism of `instant`, with its masses; the same in every run.
 std::vector<Instant> arbitrary_instants(const Instant& instant);
 
-/// A formula holds if its sides agree, up to rounding, at every instant. A misprint must fail clearly at one
-/// instant.
+/// Judges a formula. It holds if its sides agree, up to rounding, at every instant; a formula that is claimed
+/// not to hold must fail clearly at one instant.
 void judge_formula(const FormulaClaim& claim, const std::vector<Instant>& instants, ClaimResult& result);
 
 }  // namespace jw

@@ -29,7 +29,7 @@ CodePoint first_of(std::string_view text) {
     return value < least_of(bytes) ? CodePoint{} : CodePoint{value, bytes};
 }
 
-/// "Char" of XML 1.0.
+/// True for a "Char" of XML 1.0.
 bool is_allowed(char32_t c) {
     if (c < 0x20U) { return c == '\t' || c == '\n' || c == '\r'; }
     return c <= 0xD7FFU || (c >= 0xE000U && c <= 0xFFFDU) || (c >= 0x10000U && c <= 0x10FFFFU);

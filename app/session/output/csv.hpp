@@ -6,13 +6,13 @@
 /// Cells of comma-separated tables after RFC 4180.
 namespace jw {
 
-/// Quoted where needed.
+/// Text of a cell, quoted where needed.
 std::string csv_cell(const std::string& text);
 
 /// Shortest form that reads back as the same double; empty for NaN.
 std::string csv_number(double value);
 
-/// A header and one line per row, line feeds between them.
+/// Table with a header and one line per row; each line ends with a line feed.
 std::string csv_of(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows);
 
 }  // namespace jw

@@ -90,7 +90,7 @@ std::string rank_text(const View& view, int width) {
     return text;
 }
 
-/// A number as text: what is only rounding in a solution of size 1 in m and degrees becomes 0.
+/// A number as text; 0 if it is only rounding in a solution of size 1 in m and degrees.
 std::string clean_text(double value) {
     constexpr double kRounding = 1e-10;
     return number_text(std::abs(value) < kRounding ? 0.0 : value, 6);
@@ -111,7 +111,7 @@ std::string motion_text(const View& view) {
            text_table(bodies, columns_of_numbers(4, 2));
 }
 
-/// "a, b, c, ..." of many names.
+/// The first of many names: "a, b, c, ..."
 std::string some_of(const std::vector<std::string>& names) {
     constexpr std::size_t most = 24;
     std::string text;

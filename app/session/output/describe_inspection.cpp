@@ -37,7 +37,7 @@ int widest_of(const std::vector<std::string>& labels) {
     return widest;
 }
 
-/// Number and label of a row, and `numbers` columns as wide as `width`.
+/// Columns for the number and label of a row, and `numbers` columns of width `width`.
 std::vector<TextColumn> columns_for_rows(int widest, std::size_t numbers, int width) {
     std::vector<TextColumn> columns(numbers + 2, {true, width, 0});
     columns[0] = {false, 3, 2};
@@ -56,7 +56,7 @@ std::string right_sides(const Inspection& inspection, const std::vector<std::str
     return text_table(table, columns_for_rows(widest, 3, 13));
 }
 
-/// An entry of a column that is not zero.
+/// A nonzero entry of a column.
 struct Entry {
     std::size_t row = 0;
     double value = 0.0;
@@ -144,7 +144,7 @@ std::string redundant_lines(const Inspection& inspection, int width) {
     return text;
 }
 
-/// Says of a large system how certain the rank is and how to get the full spectrum.
+/// Text for a large system: its extreme singular values, and how to get the full spectrum.
 std::string without_spectrum_text(const RankReport& rank) {
     return tr(
         "largest singular value about {0}, smallest nonzero one about {1}; up to {2} they count as zero. The "

@@ -15,9 +15,9 @@ namespace jw {
 namespace {
 
 constexpr std::size_t kMostJointsOfMode = 4;
-// a joint that moves less is not named, and a phase or a decay is not told: four digits are shown
+// a joint that moves less is not named, and a smaller phase or decay is not mentioned: four digits are shown
 constexpr double kTooLittle = 1e-4;
-// of the largest number of its kind: rounding, times the condition of the constraints
+// of the largest number of its kind: rounding, times the condition number of the constraints
 constexpr double kRounding = 1e-12;
 
 double without_rounding(double value, double size) {
@@ -27,7 +27,7 @@ Vec3 without_rounding(const Vec3& v, double size) {
     return v.unaryExpr([&](double value) { return without_rounding(value, size); });
 }
 
-/// Largest force of a reaction, and torques divided by the extent [N].
+/// Largest of all reaction forces, and of their torques divided by the extent [N].
 double largest_reaction(const RestView& view) {
     double largest = 0.0;
     for (const Reaction& reaction : view.instant.reactions().reactions) {
@@ -37,7 +37,7 @@ double largest_reaction(const RestView& view) {
     return largest;
 }
 
-/// Below this times kRounding, a quantity is rounding.
+/// Size of a quantity: values below kRounding times this size are rounding.
 double size_of(const Quantity& quantity, const RestView& view) {
     switch (dimension_of(quantity).unit) {
         case Unit::radian: return 1.0;
@@ -88,14 +88,14 @@ std::string reactions_text(const RestView& view) {
            '\n' + text_table(table, columns_of_numbers(4, 2));
 }
 
-/// "hinge.angle", or "top about z" for a rotation.
+/// Name of a movement: "hinge.angle", or "top about z" for a rotation.
 std::string name_of_movement(const NamedQuantity& named, const Mechanism& mechanism) {
     const auto* rotation = std::get_if<AngularVelocityQuantity>(&named.quantity);
     if (rotation == nullptr) { return name_of(named.quantity, 0, mechanism); }
     return tr("{0} about {1}", mechanism.bodies[at(rotation->body)].name, axis_name(rotation->component));
 }
 
-/// "hinge.angle 1 rad, knee.angle -1.414 rad"
+/// The joints that move most: "hinge.angle 1 rad, knee.angle -1.414 rad"
 std::string joints_text(const std::vector<ModeOfJoint>& joints, const Mechanism& mechanism) {
     std::string text;
     for (std::size_t k = 0; k < std::min(joints.size(), kMostJointsOfMode); ++k) {
@@ -112,7 +112,7 @@ std::string joints_text(const std::vector<ModeOfJoint>& joints, const Mechanism&
     return text;
 }
 
-/// How a small motion goes on in time.
+/// How a small motion develops in time.
 std::string rate_text(std::complex<double> s) {
     if (s == 0.0) { return tr("neutral: forces unchanged to first order"); }
     const auto per_e = number_text(1.0 / std::abs(s.real()));

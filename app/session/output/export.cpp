@@ -15,7 +15,7 @@ std::string display(const std::string& body) {
     return "\\begin{equation*}\n" + body + "\n\\end{equation*}\n";
 }
 
-/// "-0.5", "1.2\cdot 10^{-5}"
+/// A number in LaTeX: "-0.5", "1.2\cdot 10^{-5}"
 std::string latex_number(double value) {
     const std::string text = number_text(value);
     const std::size_t e = text.find('e');
@@ -40,7 +40,7 @@ std::size_t columns_together(const MatrixView& matrix, std::size_t first) {
     return last - first;
 }
 
-/// "ll|rrrrrrr|rrrrrrr"
+/// Format of the columns of an array: "ll|rrrrrrr|rrrrrrr"
 std::string column_format(const MatrixView& matrix) {
     std::string format = "ll";
     for (std::size_t k = 0; k < matrix.columns.size(); k += columns_together(matrix, k)) {

@@ -136,7 +136,7 @@ Json judgements_of(const RankView& rank, const Mechanism& mechanism) {
     return list;
 }
 
-/// null if no digits of the lesson decide the rank.
+/// Verdict on typed digits; null if no digits of the lesson decide the rank.
 Json json_of(const std::optional<TypedVerdict>& typed) {
     if (!typed) { return {}; }
     return {

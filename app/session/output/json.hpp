@@ -10,7 +10,7 @@
 /// full double precision; what is not finite is null.
 namespace jw {
 
-/// Keeps the order in which keys were written.
+/// JSON that keeps the order in which keys were written.
 using Json = nlohmann::ordered_json;
 
 /// Version of the layout: a new key keeps it, a removed or changed key needs a new version.
@@ -25,20 +25,20 @@ Json json_of(const Inspection& inspection, const Lesson& lesson);
 Json json_of(const Story& story, int until);
 /// @param judgements one per free motion, or empty
 Json json_of(const RankReport& report, const System& system, const FreedomJudgements& judgements);
-/// `verdict`, `motion_beside` and `departure`.
+/// Object with `verdict`, `motion_beside` and `departure`.
 Json json_of(const FreedomJudgement& judgement, const Mechanism& mechanism);
-/// null where there are none.
+/// Equations of motion; null where there are none.
 Json json_of(const std::optional<DynamicsView>& dynamics);
 struct RestView;
 Json json_of(const RestView& view, const Lesson& lesson);
-/// `value` and the `bound` that rounding puts on it.
+/// Object with `value` and the `bound` that rounding puts on it.
 Json json_of(const EquationResidual& residual);
 /// Bodies with positions and velocities, in the order of the lesson.
 Json json_of(const Mechanism& mechanism, const State& state, const Motion& velocity);
 
-/// null if it is not finite.
+/// A number; null if it is not finite.
 Json number(double value);
-/// "bodies", "equations", ... as in the JSON of steps.
+/// Name of a kind in the JSON of steps: "bodies", "equations", ...
 const char* kind_name(Step::Kind kind);
 
 Json json_of(const Vec3& v);

@@ -22,7 +22,7 @@ inline Json field(const std::vector<std::array<double, 2>>& pairs) {
     return all;
 }
 
-/// A number, the name of a variable or that of an operation; a power with its exponent.
+/// Step of a formula: a number, or the name of a variable or an operation; a power with its exponent.
 /// @param name_of  name of the variable with an index
 template <class F>
 Json step_json(const FormulaStep& step, F&& name_of) {

@@ -159,7 +159,7 @@ Json thetas_of(const System& system, const State& state, const Motion& velocity)
     return list;
 }
 
-/// All rows with all of their zeros; for large systems the entries that are not zero, as three lists.
+/// Φq with all of its zeros; for large systems only the nonzero entries, as three lists.
 Json jacobian_of(const Inspection& inspection) {
     const SparseRows& jacobian = inspection.jacobian;
     if (is_shown_dense(inspection)) {

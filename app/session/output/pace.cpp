@@ -24,7 +24,7 @@ int words_of(const std::string& text) {
     return static_cast<int>(std::distance(std::istream_iterator<std::string>(words), {}) + wide / 2);
 }
 
-/// A question is read with its choices; at the answer, all of it is read again, which leaves time to think.
+/// Words of a question and its answer: at the answer, all is read again, which leaves time to think.
 int words_of(const QuestionView& question) {
     int words = words_of(question.ask) + words_of(question.answer) + words_of(question.why);
     for (const std::string& choice : question.choices) { words += words_of(choice); }

@@ -18,12 +18,12 @@ constexpr double kSameFrame = 0.02;
 constexpr float kFaint = 0.4F;
 constexpr float kGhost = 0.2F;
 constexpr double kMoved = 0.01;    // of the unit: smaller motions are not visible
-constexpr double kOneName = 0.06;  // of the unit: equal names that are nearer name the same thing
+constexpr double kOneName = 0.06;  // of the unit: equal names closer than this mean the same thing
 
 int bodies_count(const Lesson& lesson) { return static_cast<int>(lesson.mechanism.bodies.size()); }
 
-/// The joints that a step is about: the one that was added, or that the added driver acts along; during the
-/// motion the featured ones. Empty: none.
+/// Joints that a step is about: the joint that is added or asked about, or along which the added driver acts;
+/// during the motion the featured joints. Empty if there are none.
 std::vector<int> subject_joints(const Story& story, const Step& step) {
     if (step.kind == Step::Kind::motion) { return featured_joints(story); }
     const std::optional<Addition> subject = subject_of(story.lesson(), step);
@@ -46,7 +46,7 @@ int failing_joint(const Step& step) {
     return step.system->constraints()[static_cast<std::size_t>(origin.index)].joint;
 }
 
-/// Gives everything from the `first` entry on the id of `link`.
+/// Sets the ids of all entries from `first` on to that of `link`.
 template <class Drawn>
 void name_from(std::vector<Drawn>& drawn, std::size_t first, const Pointable& link) {
     for (std::size_t k = first; k < drawn.size(); ++k) { drawn[k].id = picture_id(link); }
@@ -98,7 +98,7 @@ void add_named_vectors(
     }
 }
 
-/// If two joints share a vector that is fixed in the same body, only one name of it stays.
+/// Keeps only one of the names of a vector that two joints share and that is fixed in the same body.
 void leave_out_repeated_names(const PictureStyle& style, Picture& picture) {
     std::vector<Annotation>& names = picture.annotations;
     for (std::size_t k = 0; k < names.size(); ++k) {

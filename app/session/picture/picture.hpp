@@ -12,9 +12,9 @@
 /// The 3D part of a step's picture: bodies, joints, and the vectors of the joint that the step is about.
 namespace jw {
 
-/// A name at a point of the scene; formulas as docs/mathematics.md says.
+/// A name at a point of the scene; its formulas are written as docs/mathematics.md says.
 struct Annotation {
-    Vec3 at = Vec3::Zero();       ///< what it names: the tip of a vector, a point [m]
+    Vec3 at = Vec3::Zero();       ///< place of the named thing: the tip of a vector, a point [m]
     Vec3 towards = Vec3::Zero();  ///< direction in which there is room for it, global; zero: anywhere
     std::string text;
     render::Colour colour;
@@ -38,14 +38,14 @@ struct WheelStyle {
 
 /// Lengths of a joint's glyph and vectors that are the same in all pictures [m].
 struct JointStyle {
-    double aside_i = 0.0;  ///< from its line to where s_i is visible beside the bodies
+    double aside_i = 0.0;  ///< from the line of s_i to where s_i is visible beside the bodies
     double aside_j = 0.0;  ///< the same for s_j
     double side = 0.0;     ///< from the point P along h and u to the surface of the bodies
     double lift_i = 0.0;   ///< along the axis to where h_i (u_i of a screw) is visible
     double lift_j = 0.0;   ///< the same for h_j (u_j)
     double lowest = 0.0;  ///< smallest s_iᵀ d (θ on a curve) over the story, at most 0: the bar reaches P_i
     double highest = 0.0;
-    double farthest = 0.0;  ///< largest distance of P_j from that line [m]
+    double farthest = 0.0;  ///< largest distance of P_j from the line of s_i [m]
     WheelStyle wheels;      ///< of gears and racks
 };
 
@@ -57,7 +57,7 @@ struct PictureStyle {
     Vec3 view{-0.62, 0.66, -0.42};           ///< from the eye to the scene
     std::vector<std::vector<Shape>> bodies;  ///< shapes of each body, in its frame; see local_shapes
     std::vector<JointStyle> joints;
-    int traced_body = -1;  ///< its point draws a path while everything moves; -1: nothing moves
+    int traced_body = -1;  ///< body whose point draws its path during the motion; -1: nothing moves
     Vec3 traced_point_local = Vec3::Zero();
     bool ground_axes = true;  ///< false: they are too far away to be shown
     render::Bounds bounds;    ///< everything that is ever visible: one camera serves the whole story
@@ -71,14 +71,14 @@ PictureStyle picture_style(const Story& story);
 /// @param index of the step in the story
 Picture picture_of(const Story& story, const PictureStyle& style, int index);
 
-/// Outlines the bodies, joints and vectors that are lit, and their names.
+/// Highlights the bodies, joints and vectors in `lit`.
 void light_up(Picture& picture, const Emphasis& lit);
 
 /// Adds other poses of the same bodies in pale colours, the later ones stronger.
 void add_ghosts(
     const Lesson& lesson, const PictureStyle& style, std::span<const State> poses, Picture& picture);
 
-/// Picture of a step that is not in the story: it takes the place of step `index`, and is moved by hand.
+/// Picture of a step that takes the place of step `index` of the story, such as a pose moved by hand.
 Picture picture_of(const Story& story, const PictureStyle& style, const Step& step, int index);
 
 }  // namespace jw

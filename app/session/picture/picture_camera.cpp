@@ -15,7 +15,7 @@ namespace {
 
 // cosine above which axes count as parallel
 constexpr double kParallel = 0.996;
-// sine of the angle between view and axis at which a vector along the axis becomes long enough on the picture
+// sine of the angle between view and axis at which a vector along the axis becomes long enough in the picture
 constexpr double kNotEndOn = 0.45;
 
 /// Axes of the joints that have one, at the last pose before the motion; unit.
@@ -44,7 +44,7 @@ Axes axes_of(const Story& story) {
     return axes;
 }
 
-/// The common direction of all axes that something turns about, zero if there is none.
+/// The common direction of all axes of rotation, zero if there is none.
 Vec3 common_axis(const Axes& axes) {
     if (!axes.planar || axes.turning.size() < 2) { return Vec3::Zero(); }
     const Vec3& first = axes.turning.front();
@@ -53,7 +53,7 @@ Vec3 common_axis(const Axes& axes) {
     return common ? first : Vec3(Vec3::Zero());
 }
 
-/// Mostly along the axis, but tilted so that depth shows; x (or else y) goes to the right.
+/// View direction mostly along the axis, but tilted so that depth shows; x (or else y) goes to the right.
 Vec3 across_the_plane(const Vec3& axis, const Vec3& up) {
     if (std::abs(axis.dot(up)) > kParallel) {
         // a mechanism that lies flat is looked at from above and in front

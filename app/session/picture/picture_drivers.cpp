@@ -63,7 +63,7 @@ Circle circle_in_sight(const PictureStyle& style, const PlacedJoint& j, const St
     return best;
 }
 
-/// Adds the arc from u_i to u_j about s_i, with the marks of its ends.
+/// Adds the arc from u_i to u_j about s_i, and these two vectors.
 void add_angle(
     const PictureStyle& style, const PlacedJoint& j, const State& state, double angle, Picture& picture) {
     const Circle circle = circle_in_sight(style, j, state);
@@ -90,7 +90,7 @@ void add_angle(
     add_vector(style, foot_j, foot_j + 0.9 * length * j.u_j, palette::kVectorJ, "\\mathbf{u}_j", picture);
 }
 
-/// The displacement of a joint beside its bar.
+/// Adds the displacement of a joint beside its bar.
 void add_displacement(const PictureStyle& style, const PlacedJoint& j, Picture& picture) {
     const double aside = style.joints[static_cast<std::size_t>(j.index)].aside_i + 0.03 * style.unit;
     const Vec3 from = j.P_i + aside * beside(style, j.s_i);

@@ -82,8 +82,7 @@ private:
         const JointStyle& range = style_->joints[static_cast<std::size_t>(j_.index)];
         return {j_.P_i + (range.lowest - beyond) * j_.s_i, j_.P_i + (range.highest + beyond) * j_.s_i};
     }
-    /// Ends of the guide. If the lesson draws body i, it draws the guide, too: then only a short part at body
-    /// j.
+    /// Ends of the guide; if the lesson draws body i, and so the guide, only those of a short part at body j.
     std::pair<Vec3, Vec3> guide() const {
         if (!has_own_shapes(j_.joint->body_i)) { return travel(5.5 * g_); }
         const Vec3 middle = j_.P_i + j_.displacement() * j_.s_i;
@@ -112,7 +111,7 @@ private:
         if (!has_own_shapes(j_.joint->body_i)) { fork(j_.joint->body_i, j_.P_i, j_.s_i, j_.frame_i); }
         if (!has_own_shapes(j_.joint->body_j)) { fork(j_.joint->body_j, j_.P_j, j_.s_j, j_.frame_j); }
     }
-    /// Holds the two ends of an arm of the cross.
+    /// Adds the fork that holds the two ends of an arm of the cross.
     void fork(int body, const Vec3& P, const Vec3& s, const BodyFrame& frame) {
         const Vec3 way = towards_body(body, P, frame);
         const Vec3 across = way - way.dot(s) * s;
@@ -252,7 +251,7 @@ Shaft shaft_of(const Lesson& lesson, int body, const BodyFrame& frame, const Vec
     return best;
 }
 
-/// The thread is cut on the bar that the lesson drew, on either body; if there is none, a bar is added.
+/// Adds the thread, on the bar that the lesson drew on either body; if there is none, a bar is added.
 void Glyph::thread() {
     constexpr double thread_height = 1.12;  // crest to the surface of the bar
     constexpr double slender = 4.0;         // below this it is a nut, not a bolt

@@ -37,7 +37,7 @@ struct PlacedJoint {
 };
 PlacedJoint placed(const Mechanism& mechanism, int joint, const State& state);
 
-/// True if the equations of a joint contain a vector: one of `vectors`, or of those of its author's formula.
+/// True if the equations of a joint contain one of `vectors`, or its author's formula one of `of_author`.
 bool contains(const Joint& joint, jw::Vectors vectors, std::initializer_list<FormulaVector> of_author);
 
 /// Radius of a pin; other sizes are multiples of it.
@@ -45,7 +45,7 @@ inline double pin_radius(double unit) { return 0.011 * unit; }
 /// Radius of the shaft of a vector.
 inline double vector_radius(double unit) { return 0.0042 * unit; }
 
-/// Unit direction to the side of a line on the picture: perpendicular to the line and to the view.
+/// Unit direction to the side of a line in the picture: perpendicular to the line and to the view.
 Vec3 beside(const PictureStyle& style, const Vec3& line);
 
 render::Colour colour_of_body(const Lesson& lesson, int body);

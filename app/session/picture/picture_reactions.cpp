@@ -46,8 +46,8 @@ void add_arrow(
     }
 }
 
-/// Adds a force or torque: its unique components in full colour, and in pale the smallest solution where
-/// redundant equations leave components open.
+/// Adds a force or torque: its unique components in full colour and, where redundant equations leave
+/// components undetermined, the smallest solution in a pale colour.
 void add_effect(
     const PictureStyle& style, const Reaction& reaction, const Vec3& vector,
     const std::array<bool, 3>& unique, double scale, bool two_heads, Picture& picture) {

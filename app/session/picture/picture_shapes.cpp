@@ -83,7 +83,7 @@ std::vector<Shape> stands(const std::vector<Attachment>& joints, const Vec3& up_
     return shapes;
 }
 
-/// A single joint: a rod to the origin, or a handle that shows how the body turns if the joint is there.
+/// Shapes for a single joint: a rod to the origin or, if the joint is there, a handle that shows its turns.
 std::vector<Shape> handle(const Attachment& joint, double unit, double radius) {
     if (joint.point.norm() > kSame * unit) { return {Rod{joint.point, Vec3::Zero(), radius}}; }
     const Vec3 end = joint.point + 12.0 * radius * joint.across.normalized();

@@ -20,8 +20,8 @@ public:
     Solid(const PictureStyle& style, const State& state, int body_i, int body_j);
 
     bool contains(const Vec3& point) const;
-    /// Distance from `from` in a direction until outside of the shapes, at most `limit` [m]; 0 if `from` is
-    /// outside.
+    /// Distance from `from` to where a ray in `direction` leaves the shapes, at most `limit` [m]; 0 if `from`
+    /// is outside.
     double reach(const Vec3& from, const Vec3& direction, double limit) const;
     /// Distance beside the line from `from` to `to` at which a vector is no longer hidden; 0 if most of it
     /// shows anyway, at most `limit`.

@@ -51,8 +51,8 @@ void add_coils(const PictureStyle& style, const Vec3& from, const Vec3& to, rend
     add_wire(std::move(points), scene);
 }
 
-/// Both ends of a spring along an axis. A displacement has no length without force, so kFreeLength takes its
-/// place: the spring ends at the point of body j and is seen at every displacement.
+/// Both ends of a spring along an axis. Its displacement without force is not a length, so kFreeLength takes
+/// its place: the spring ends at the point of body j and is visible at every displacement.
 std::pair<Vec3, Vec3> ends_along_axis(const PictureStyle& style, const State& state, const Spring& spring) {
     const BodyFrame i = frame_of(state, spring.body_i);
     const Vec3 axis = i.direction(*spring.s_i_local);

@@ -14,9 +14,9 @@ using namespace picture;
 
 // the bounds of the motion come from about this many moments: nothing goes far between them
 constexpr std::size_t kMomentsSeen = 250;
-// of the unit, and of |p|: nobody sees a thousandth of a pixel
+// of the unit, and of |p|: a motion of a thousandth of a pixel is not visible
 constexpr double kStands = 1e-6;
-// a Newton iteration that throws bodies away farther than this would make everything else small
+// a Newton iteration that moves bodies farther away than this would make everything else small
 constexpr double kWildIteration = 1.6;
 // the ground's axes are shown unless they would make the mechanism small, too
 constexpr double kFarOrigin = 1.35;
@@ -27,7 +27,7 @@ constexpr double kSideLimit = 0.14;
 /// A step whose pose is shown.
 struct Moment {
     int step = 0;
-    BodyChoice moved;  ///< bodies that are elsewhere than at the moments before
+    BodyChoice moved;  ///< bodies that have moved since the moments before
 };
 /// The steps whose poses bound all others.
 struct Moments {
@@ -35,7 +35,7 @@ struct Moments {
     std::vector<Moment> iterations;
 };
 
-/// Most steps of a large lesson add a joint and leave nearly everything where it is.
+/// Poses of `steps` with the bodies that moved: most steps of a large lesson leave nearly all in place.
 std::vector<Moment> seen_in(const Story& story, const std::vector<int>& steps, double unit) {
     std::vector<Moment> moments;
     State last;  // the pose of each body when it moved last
@@ -94,9 +94,9 @@ double size_of_bodies(const Story& story, const PictureStyle& style, const Momen
     return bounds.diagonal();
 }
 
-/// When a joint comes into the story.
+/// First appearance of a joint in the story.
 struct Arrival {
-    int additions = std::numeric_limits<int>::max();  ///< present from this number on
+    int additions = std::numeric_limits<int>::max();  ///< the joint is present from this number on
     /// The pose at which it is first closed, which is looked at most; the last of the story if it never
     /// closes.
     const State* closed = nullptr;

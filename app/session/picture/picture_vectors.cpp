@@ -18,13 +18,13 @@ constexpr double kPoint = 0.010;      // radius
 constexpr double kOnePoint = 0.012;   // nearer points are seen as one
 constexpr double kShort = 0.05;       // shorter vectors would be only a head
 
-/// A direction as it is seen on the picture, unit; zero if it is seen end-on.
+/// A direction as it is seen in the picture, unit; zero if it is seen end-on.
 Vec3 on_picture(const PictureStyle& style, const Vec3& direction) {
     const Vec3 seen = direction - direction.dot(style.view) / style.view.squaredNorm() * style.view;
     return seen.norm() > 0.1 * direction.norm() ? Vec3(seen.normalized()) : Vec3::Zero();
 }
 
-/// 1 where two lines lie on each other, 0 where the eye keeps them apart anyway; no jump in between.
+/// 1 where two lines lie on each other, 0 where they look apart anyway; continuous in between.
 double overlap(const Vec3& a, const Vec3& b, double distance, double apart) {
     constexpr double wide = 0.2;  // rad
     if (a.isZero() || b.isZero()) { return 0.0; }
@@ -103,7 +103,7 @@ private:
                 *picture_);
         }
     }
-    /// Longer if it is seen nearly end-on, so that more than its head is visible on the picture.
+    /// Length of the arrow of s: longer if it is seen nearly end-on, so that more than its head is visible.
     double length_of(const Vec3& s) const {
         constexpr double long_enough = 0.6;
         const double seen = s.cross(style_.view).norm() / style_.view.norm();
@@ -111,8 +111,8 @@ private:
     }
     double margin(double aside) const { return aside > 0.0 ? aside + 0.4 * kApart * unit_ : 0.0; }
 
-    /// d runs from point to point, but beside s_i or the rod of a distance joint when it would be hidden
-    /// there.
+    /// Offset of d, which runs from point to point, to beside s_i or the rod of a distance joint where these
+    /// would hide it.
     Vec3 aside_of_d(const JointType& type) const {
         const Vec3 d = j_.P_j - j_.P_i;
         if (d.norm() < kOnePoint * unit_) { return Vec3::Zero(); }
@@ -122,7 +122,7 @@ private:
         const double along = overlap(seen(j_.s_i), seen(d), 0.0, kApart * unit_);
         return way * along * (aside_i_ + kApart * unit_) * side;
     }
-    /// One below and one above if both lie on each other, like u_i and u_j at angle zero.
+    /// Adds two vectors, one below and one above if they lie on each other, like u_i and u_j at angle zero.
     /// @param i  null where the equations do not contain it
     void sides(const std::string& name, const Vec3* i, const Vec3* j) {
         const double length = joint_style_.side + kSideLength * unit_;

@@ -113,14 +113,14 @@ WheelPair bevel_wheels(const PlacedJoint& joint) {
     return {wheel(false), wheel(true)};
 }
 
-/// Only the wheel of j.
+/// The pinion of a rack: only the wheel of j.
 WheelPair rack_wheel(const PlacedJoint& joint) {
     const double alpha = joint.joint->geometry.alpha;
     const Vec3 contact = (alpha < 0.0 ? -1.0 : 1.0) * joint.s_j.cross(joint.s_i).normalized();
     return {{}, wheel_of(joint, true, joint.s_i, contact, std::abs(alpha))};
 }
 
-/// The toothed wheels of a joint; none if it has none, or if they have no line at this pose.
+/// The toothed wheels of a joint; nothing if it has none, or if their contact is undefined at this pose.
 std::optional<WheelPair> toothed_wheels(const PlacedJoint& joint) {
     switch (joint.joint->type->glyph) {
         case JointGlyph::gear: {
@@ -253,7 +253,7 @@ private:
         }
         mark(w, w.is_ring ? root + 1.3 * module : 0.6 * w.radius);
     }
-    /// A dot towards u, by which its turns are seen.
+    /// Adds dots towards u, which show how the wheel turns.
     void mark(const DrawnWheel& w, double at) {
         const double radius = std::min(1.1 * g_, 0.18 * w.radius);
         for (const double side : {-1.0, 1.0}) {
@@ -323,7 +323,7 @@ private:
         const auto last = static_cast<int>(std::ceil((joint_style_->highest + margin - gap) / step));
         Mat3 A;
         A << j_.s_i, j_.s_j.cross(j_.s_i).normalized(), j_.s_j;
-        // on the pitch line, at a displacement of the wheel
+        // points of the pitch line where the displacement of the wheel is 0, and x
         const Vec3 zero = j_.P_j - j_.displacement() * j_.s_i + pinion.radius * pinion.contact;
         const auto along = [&](double x) { return Vec3(zero + x * j_.s_i); };
         const Vec3 out = -0.5 * (kAddendum - kDedendum) * module * pinion.contact;

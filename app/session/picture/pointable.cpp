@@ -9,7 +9,7 @@ namespace jw {
 
 namespace {
 
-// the lowest digit of a number is the kind of the link, for links that are drawn in 3D
+// lowest digit of a picture id, in base kRadix: the kind of a link that is drawn in 3D
 constexpr int kRadix = 8;
 constexpr int kBody = 1;
 constexpr int kJoint = 2;

@@ -42,14 +42,14 @@ struct Pointable {
     static Pointable vector(int joint, int part) { return {Kind::vector, joint, part}; }
 };
 
-/// A link as the number of something drawn in 3D, and back; 0 is nothing. Bodies, joints and vectors only.
+/// Id of a link that is drawn in 3D (a body, joint or vector), and back; 0 for all others.
 int picture_id(const Pointable& link);
 Pointable pointable_of(int picture_id);
 
 /// Columns of a body beyond those of r: 4 in the (r, p) choices, else 3.
 int angular_of(CoordinateChoice choice);
 
-/// What a symbol stands for.
+/// Links to everything that a symbol stands for.
 std::vector<Pointable> links_of(const SymbolView& symbol, const System& system);
 
 /// Set of all things that are highlighted together.

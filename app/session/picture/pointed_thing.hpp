@@ -16,7 +16,7 @@ std::optional<Thing> thing_at(const Step& step, const View& view, const Pointabl
 /// for the row of a driver that is not added.
 Pointable place_of(const Step& step, const Thing& thing);
 
-/// At the answer to a question about things, highlights those that were right.
+/// Highlights the right things when the answer to a question about things is shown.
 void light_answer(const Step& step, CoordinateChoice coordinates, const View& view, Emphasis& lit);
 
 }  // namespace jw

@@ -14,7 +14,7 @@ namespace {
 
 // if two joints are nearer than this, in the picture's unit, their vectors would hide each other
 constexpr double kApartWithVectors = 0.25;
-// the rest is the colour of the body
+// share of ink in the colour of a name; the rest is the colour of the body or axis
 constexpr float kInkOfBodyNames = 0.6F;
 constexpr float kInkOfAxisNames = 0.3F;
 

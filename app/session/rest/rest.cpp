@@ -13,12 +13,12 @@ namespace jw {
 
 namespace {
 
-/// A rod keeps its length.
+/// False for a distance: a rod keeps its length.
 bool is_coordinate(const MeasureQuantity& q) {
     return !std::holds_alternative<SquaredDistanceMeasure>(q.measure);
 }
 
-/// "hinge" or "hinge.angle" as a joint's measure.
+/// Measure of the joint that a name such as "hinge" or "hinge.angle" means.
 MeasureQuantity held_measure(const std::string& name, const Mechanism& mechanism) {
     std::vector<std::string> known;
     std::vector<MeasureQuantity> fitting;
@@ -39,7 +39,7 @@ MeasureQuantity held_measure(const std::string& name, const Mechanism& mechanism
         expected);
 }
 
-/// Fails if something prescribes a measure already.
+/// Throws if a driver already prescribes this measure.
 void check_not_driven(const std::string& name, const MeasureQuantity& q, const Mechanism& mechanism) {
     // the angle of a screw determines its displacement
     const bool is_one = mechanism.joints[at(q.joint)].type->artificial > 0;
@@ -58,7 +58,7 @@ Mechanism added_of(const Lesson& lesson) {
     return mechanism;
 }
 
-/// Adds drivers that keep what is held at its value in a state.
+/// Adds drivers that hold the named measures at their values in a state.
 Mechanism with_held(Mechanism mechanism, const std::vector<std::string>& held, const State& state) {
     const Mechanism before = mechanism;
     const Motion none = zero_motion(before);
@@ -111,7 +111,7 @@ std::vector<NamedQuantity> moving_quantities(const Mechanism& mechanism) {
     return list;
 }
 
-/// Amplitudes of all joints in a mode, the largest first and 1: displacements are compared in extents.
+/// Amplitudes of all joints in a mode, the largest first and 1; displacements are measured in extents.
 std::vector<ModeOfJoint> joints_of(
     const Mode& mode, const RestView& view, const Centroidal& scene, const State& centroidal_state) {
     Instant now = view.instant;
@@ -146,7 +146,7 @@ std::string push_text(const RestView& view) {
     for (std::size_t b = 0; b < a.r_dot.size(); ++b) {
         if (size(b) > size(most)) { most = b; }
     }
-    // what is rounding beside the other
+    // a value that is smaller than this fraction of the other is rounding
     constexpr double rounding = 1e-9;
     const double along = a.r_dot[most].norm();
     const double about = a.omega_local[most].norm();

@@ -37,8 +37,8 @@ struct RestView {
 };
 
 /// Assembles the lesson and finds its equilibrium. Drivers and loads are those of t = 0.
-/// @throws std::invalid_argument if the lesson has no [dynamics], or a joint that is held does not exist or
-///         has no coordinate, or several, without a name for one of them
+/// @throws std::invalid_argument if the lesson has no [dynamics], or if a joint that is held does not exist,
+///         is driven, has no coordinate, or has several and none of them is named
 /// @throws PoseNotReached if the lesson cannot be assembled
 RestView find_rest(const Lesson& lesson, const RestRequest& request);
 

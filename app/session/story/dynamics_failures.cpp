@@ -43,7 +43,7 @@ std::string what_contradicts(double violation, const Mechanism& mechanism, const
         "spherical and a cylindrical joint instead of two revolutes)");
 }
 
-/// Says what keeps the steps short and what helps.
+/// Says what limits the step size, and what helps.
 std::string why_so_many(const SimulationFailure& failure, const SimulationSettings& settings) {
     const MethodName& method = entry_of(settings.method);
     if (failure.bound_by_stability) {

@@ -90,7 +90,7 @@ std::string summary_of(const DynamicsTable& table) {
         small_text(std::max(table.outcome.residual.forces, table.outcome.residual.constraints)));
 }
 
-/// Note that the branches of a loop cross only as exactly as the typed numbers fit each other.
+/// Note on a loop whose branches may not cross, because typed numbers do not fit exactly; else empty.
 std::string fit_note(const DynamicsTable& table) {
     constexpr double twelve_digits = 3e-12;
     if (table.outcome.counts.singular_passages == 0 || table.rows.empty()) { return {}; }
@@ -103,7 +103,7 @@ std::string fit_note(const DynamicsTable& table) {
         small_text(left_open));
 }
 
-/// Bodies whose start poses are moved, those that are moved most first.
+/// Note on bodies whose start poses are moved, the largest moves first; empty if there are none.
 std::string pose_note(const Mechanism& given, const Snapshot& start) {
     constexpr double typed = 1e-6;  // what seven digits of a computed pose leave open
     constexpr std::size_t most_named = 4;
@@ -140,7 +140,7 @@ struct ChangedSpeed {
     std::string text;
 };
 
-/// The velocity of a body that was changed most; those that the author did not give do not count.
+/// The start velocity of a body that was changed most; velocities that the author did not give do not count.
 ChangedSpeed most_changed_body(const Mechanism& given, const Snapshot& start) {
     constexpr double typed = 1e-4;  // what four digits leave open is not reported
     const double length = extent(given);
@@ -207,8 +207,8 @@ std::string speed_note(const Mechanism& given, const Snapshot& start) {
     return tr("the start velocities do not fit the joints; the nearest ones that do are used: {0}", text);
 }
 
-/// Watches a run. If it will take long, this is reported once, with what helps. If stability makes a method
-/// very slow that nobody chose, the run is given up.
+/// Watches a run. Reports once, with advice, if the run will take long. Stops the run if stability makes it
+/// very slow and nobody chose its method.
 class Pace {
 public:
     Pace(const DynamicsRequest& request, std::string& note) : request_(&request), note_(&note) {}
@@ -313,7 +313,7 @@ Mechanism placed_at(const Mechanism& mechanism, const State& state) {
 
 namespace {
 
-/// One run by the method of `request`. @return whether the method gave way to an implicit one
+/// One run by the method of `request`. @return true if it was stopped in favour of an implicit one
 bool run_once(const Lesson& lesson, const DynamicsRequest& request, DynamicsTable& table) {
     if (request.duration > lesson.dynamics->duration) { require_formulas(lesson, 0.0, request.duration); }
     Simulation simulation(taking_part(lesson), lesson.dynamics->loads, request.settings);

@@ -19,7 +19,7 @@ struct DynamicsRequest {
     int samples = 100;      ///< equal intervals
     bool reactions = false;
     std::vector<NamedQuantity> quantities = {};  ///< additional columns
-    /// Somebody chose the method. If nobody did, a method that stability makes very slow is replaced by
+    /// True if somebody chose the method. Otherwise, a method that stability makes very slow is replaced by
     /// implicit-5.
     bool method_chosen = false;
     /// Called with each note as soon as it is known: on the start, or that the run will take long and what
@@ -28,7 +28,7 @@ struct DynamicsRequest {
     std::function<void(double fraction)> progress = {};
 };
 
-/// Steps that `simulate` takes unless it is allowed more: minutes, not hours.
+/// Most steps that `simulate` takes unless more are allowed: minutes, not hours.
 inline constexpr long kMostStepsUnasked = 1'000'000;
 /// @throws std::invalid_argument if the lesson has no [dynamics]
 DynamicsRequest request_of(const Lesson& lesson);
@@ -51,7 +51,7 @@ struct DynamicsTable {
     double reaction_bound = 0.0;
     std::string reaction_note;  ///< that the residual exceeds its bound, and where first; mostly empty
 
-    /// Place of a column in every row. @throws std::invalid_argument if there is none with that name
+    /// Index of a column in every row. @throws std::invalid_argument if no column has that name
     std::size_t column_of(std::string_view name) const;
 };
 

@@ -10,7 +10,7 @@ namespace jw {
 
 namespace {
 
-// limit of a story, which is told again at every change: a scene that was made stiff or endless ends early
+// most steps of a story, which is told again at every change: a scene made stiff or endless ends early
 constexpr long kMostStepsOfStory = 10'000;
 // of all bodies in all moments of a curve: more would take hundreds of megabytes
 constexpr int kMostPosesOfCurve = 100'000;
@@ -86,7 +86,7 @@ private:
         return step;
     }
 
-    /// Takes a sample of the run: a moment of the curve, and now and then a step.
+    /// Takes a sample of the run: a moment of the curve, and every `between_`-th time a step.
     void receive(double t, const std::vector<double>& y) {
         const Snapshot snapshot = simulation_.snapshot(t, y);
         const bool switched_now = system_.choose_rows(snapshot.state);
@@ -126,7 +126,7 @@ private:
             start.acceleration = zero_motion(assembled_);
             steps.push_back(std::move(start));
         }
-        // if it ends between two steps, the last moment is shown
+        // if the motion ends between two steps, the last moment is shown
         if (!curve.empty() && curve.back().t > steps.back().t) { steps.push_back(curve.back()); }
         steps.back().ended = failure_text(failure, settings_, lesson_->mechanism);
     }

@@ -14,12 +14,12 @@ public:
     MotionTelling(const MotionTelling&) = delete;
     MotionTelling& operator=(const MotionTelling&) = delete;
 
-    /// Adds what comes next, which may be nothing yet, to the steps and to the moments of the curve.
+    /// Adds the next steps and moments of the curve, of which there may be none yet.
     /// @return false if there was nothing left
     virtual bool go_on(std::vector<Step>& steps, std::vector<Step>& curve) = 0;
     /// Fraction of the motion that is told, from 0 to 1.
     virtual double progress() const = 0;
-    /// Estimate of what `go_on` takes, see StoryTelling::work.
+    /// Estimate of the work of `go_on`, see StoryTelling::work.
     virtual double work_of_piece() const = 0;
 };
 

@@ -27,7 +27,7 @@ const std::string& body_name(const Mechanism& mechanism, int index) {
     return mechanism.bodies[static_cast<std::size_t>(index)].name;
 }
 
-/// "Joint D" or "Driver crank drive"
+/// Name of a subject: "Joint D" or "Driver crank drive"
 std::string subject_name(const Lesson& lesson, const Addition& subject) {
     const auto k = static_cast<std::size_t>(subject.index);
     return subject.kind == Addition::Kind::joint ? tr("Joint {0}", lesson.mechanism.joints[k].name)
@@ -40,7 +40,7 @@ std::string number_word(int n) {
     return n >= 1 && n <= 6 ? tr(words[static_cast<std::size_t>(n - 1)]) : std::to_string(n);
 }
 
-/// "3 from s, 2 of 3 from p1"
+/// Numbers of equations by primitive: "3 from s, 2 of 3 from p1"
 std::string counts_by_primitive(const System& system, int joint) {
     std::string text;
     for (const Constraint& c : system.constraints()) {

@@ -7,7 +7,7 @@
 /// Sentences that say what happened in a step, with the actual numbers.
 namespace jw {
 
-/// "Joint C · revolute · coupler – rocker"
+/// Title of a step: "Joint C · revolute · coupler – rocker"
 std::string title_of(const Lesson& lesson, const Step& step);
 
 /// @param rank of the step's pose

@@ -79,7 +79,7 @@ struct Step {
 /// True for a question and its answer: nothing is added or moved by them.
 inline bool is_asked(Step::Kind kind) { return kind == Step::Kind::question || kind == Step::Kind::answer; }
 
-/// The question that a question or answer of the story is about.
+/// The question of the lesson that a question or answer step shows.
 inline const Question& question_of(const Lesson& lesson, const Step& step) {
     return lesson.questions[static_cast<std::size_t>(step.question)];
 }
@@ -151,12 +151,12 @@ public:
     const std::vector<Step>& curve() const { return told_->curve; }
     /// Set if the story ended early.
     const Step* failure() const;
-    /// Index of the last step before the motion: everything that is to be added first is added there.
+    /// Index of the last step before the motion: by then, all joints and drivers are added.
     int last_assembled() const;
     /// The joint whose equations are of interest during the motion: the first whose choice of p1 / p2 rows
     /// changes, or the only one; -1 if there is none.
     int featured_joint() const { return told_->featured_joint; }
-    /// The joint that the reader chose instead; -1 if none is.
+    /// The joint that the reader chose instead; -1 if there is none.
     int chosen_joint() const { return chosen_joint_; }
     /// Chooses a joint of the mechanism; -1 leaves the choice to the story again.
     void choose_joint(int joint) { chosen_joint_ = joint; }
@@ -187,7 +187,7 @@ std::vector<int> featured_joints(const Story& story);
 RankReport rank_of(const System& system, const State& state, double t, bool spectrum = false);
 /// The number of a report that a claim or a question names.
 int count_of(const RankReport& report, Count count);
-/// The same without redundant rows, free motions and most singular values: faster, for many poses.
+/// Like rank_of, but without redundant rows, free motions and most singular values: faster, for many poses.
 RankReport rank_verdict_of(const System& system, const State& state, double t);
 
 }  // namespace jw

@@ -14,7 +14,7 @@ namespace {
 // iterations shown of a solve that fails: the beginning is worth showing, sixty more of the same are not
 constexpr std::size_t kFirstIterations = 6;
 
-/// Keeps the first iterations of the last solve and the last one; the Newton table has all of them.
+/// Keeps the first iterations of the last solve, and its last one; the Newton table has all of them.
 void thin_out_iterations(std::vector<Step>& steps) {
     std::size_t first = steps.size();
     while (first > 0 && steps[first - 1].kind == Step::Kind::iteration) { --first; }
@@ -239,7 +239,7 @@ bool StoryTelling::close_addition(int count) {
     return true;
 }
 
-/// Adds the questions (or the answers) that belong here, at the pose of the last step.
+/// Adds the questions (or the answers) that belong to `place`, at the pose of the last step.
 void StoryTelling::ask(Question::Place place, const Addition* added, Step::Kind kind) {
     // a story of poses alone has no questions
     if (!options_.keep_steps) { return; }

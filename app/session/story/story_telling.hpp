@@ -69,7 +69,7 @@ struct ToldLesson {
 ToldLesson tell_at_once(std::shared_ptr<const Lesson> lesson, const StoryOptions& options);
 
 /// Tells the lessons of a session, like tell_at_once or in another way. The returned lesson may be another
-/// copy. If it throws, the session gives up what it was about to do, and stays as it was.
+/// copy. If the call throws, the session drops the intended change, and stays as it was.
 using Storyteller = std::function<ToldLesson(std::shared_ptr<const Lesson>, const StoryOptions&)>;
 
 }  // namespace jw

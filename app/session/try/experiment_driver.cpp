@@ -15,7 +15,7 @@ const Driver& driver_of(const Lesson& lesson, int index) {
     return lesson.mechanism.drivers.at(static_cast<std::size_t>(index));
 }
 
-/// Skips the unit: it must follow the numbers of an angle and may follow those of a length.
+/// True if degrees follow. Takes the unit, which angles must have and lengths may have.
 /// @param per  "" or "/s"
 bool degrees_follow(Words& words, Unit unit, const std::string& per) {
     if (unit != Unit::radian) {
@@ -79,7 +79,7 @@ TimeTable read_table(Words& words, Unit unit) {
     } catch (const std::invalid_argument& e) { throw Unreadable(e.what()); }
 }
 
-/// A formula in quotes, with its unit behind: "30 \sin(2 t)" deg.
+/// A formula in quotes, followed by its unit: "30 \sin(2 t)" deg.
 TimeFormula read_formula(Words& words, Unit unit) {
     TimeFormula out;
     try {

@@ -96,7 +96,7 @@ void read_member(Words& words, const JointType& type, JointGeometry& g) {
     if (key == kFormula) { g.formula = read_formula(words, type); }
 }
 
-/// Lists the members in which `g` differs from `before`.
+/// The members in which `g` differs from `before`, as words.
 std::string differences(const JointGeometry& before, const JointGeometry& g) {
     std::string text;
     const auto add = [&](const char* key, const std::string& value) {

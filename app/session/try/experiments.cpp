@@ -60,7 +60,7 @@ bool usable(const JointGeometry& g) {
            direction(g.u_j_local) && std::isfinite(g.length);
 }
 
-/// A lesson file has no minus zero, and neither has a sentence.
+/// Geometry with 0 for each minus zero: lesson files and sentences have no minus zero.
 JointGeometry without_minus_zeros(JointGeometry g) {
     for (Vec3* v :
          {&g.P_i_local, &g.P_j_local, &g.s_i_local, &g.s_j_local, &g.h_i_local, &g.h_j_local, &g.u_i_local,
@@ -91,7 +91,7 @@ TimeFunction without_minus_zeros(TimeFunction f) {
     return f;
 }
 
-/// True if it has numbers of its own; other experiments choose from what a lesson can say.
+/// True for an experiment with its own numbers; the others choose from values that a lesson can express.
 bool says_numbers(const Experiment& experiment) {
     return std::holds_alternative<SetGeometry>(experiment) || std::holds_alternative<SetDriver>(experiment) ||
            std::holds_alternative<SetPose>(experiment);
@@ -210,7 +210,7 @@ private:
                    : nullptr;
     }
 
-    /// Gives a joint another geometry. Its drivers and the springs on its axis measure by it from then on.
+    /// Gives a joint another geometry, by which its drivers and the springs on its axis measure from then on.
     void set_geometry(int index, const JointGeometry& geometry) {
         Joint& joint = lesson_.mechanism.joints[static_cast<std::size_t>(index)];
         const Joint before = joint;
@@ -252,7 +252,7 @@ private:
         return lesson_.mechanism.drivers[static_cast<std::size_t>(addition.index)].joint;
     }
 
-    /// Puts it after everything that the author has before it.
+    /// Puts `what` back, after everything that the author has before it.
     Edit put_back(const Addition& what, const std::string& name) {
         const Addition its_joint{Addition::Kind::joint, joint_driven_by(what)};
         if (its_joint.index >= 0 && std::ranges::find(lesson_.order, its_joint) == lesson_.order.end()) {

@@ -14,7 +14,7 @@
 /// text.
 namespace jw {
 
-/// Another step of the story; beyond its ends means the first or the last one.
+/// Another step of the story; a number beyond its ends means the first or the last step.
 struct GoTo {
     int step = 0;
 };
@@ -114,14 +114,14 @@ struct Edit {
 };
 
 /// Applies an experiment to a copy of a lesson.
-/// @param written  the lesson as its author wrote it: where things that are put back come from
+/// @param written  the lesson as its author wrote it: it tells where parts are put back
 Edit edited(const Lesson& lesson, const Lesson& written, const Experiment& experiment);
-/// Several of them one after the other, all or none.
+/// Applies several experiments one after the other, all or none.
 Edit edited(const Lesson& lesson, const Lesson& written, std::span<const Experiment> experiments);
 /// The same without checking whether a lesson file can express the result.
 Edit edit_of(Lesson lesson, const Lesson& written, const Experiment& experiment);
 
-/// Edits that give a lesson the start estimates, those of θ included, of `state`.
+/// Edits that make the pose of `state`, including θ, the start estimate of a lesson.
 std::vector<Experiment> moves_to(const State& state, const Lesson& lesson);
 
 }  // namespace jw

@@ -22,7 +22,7 @@ public:
 
     DragOutcome pull(int body, const Vec3& point_local, const Vec3& target);
 
-    /// The pose at `part` (-1 to 1) of the way that free motion `motion` can be followed.
+    /// Goes to the pose at `part` (-1 to 1) of the way on which free motion `motion` can be followed.
     /// @return false if there is no such motion
     bool follow(int motion, double part);
     /// Free motion that is being followed, if any.
@@ -39,7 +39,7 @@ private:
     int followed_motion_ = -1;
 };
 
-/// The step of the story whose constraints hold at step `index`: the step itself once its joint is closed.
+/// Index of the step whose constraints hold at step `index`: the step itself once its joint is closed.
 int closed_step(const Story& story, int index);
 
 }  // namespace jw

@@ -17,7 +17,7 @@ struct Place {
 
 Place place_of(const Story& story, int index);
 
-/// The step of another telling that is nearest to a place: the same kind of step of the same joint, or the
+/// The step of another story that is nearest to a place: the same kind of step of the same joint, or the
 /// last step if the joint is gone or not reached.
 int find_place(const Story& story, const Place& place);
 

@@ -112,7 +112,7 @@ void Laboratory::add_forms(int index, ExperimentGroup& group) const {
     }
 }
 
-/// Equations that have a row can be taken out, equations that are out can be put back.
+/// Lists the equations that can be taken out because they have a row, and those that can be put back.
 void Laboratory::add_equations(int index, ExperimentGroup& group) const {
     const Joint& joint = session_.lesson().mechanism.joints[static_cast<std::size_t>(index)];
     const std::vector<int> removable = removable_rows(report_);
@@ -176,7 +176,7 @@ ExperimentGroup Laboratory::of_driver(int index) const {
     return group;
 }
 
-/// The condition is that of Φq with its normalisation rows, as it stands.
+/// Choices of coordinates. The condition is that of Φq with its normalisation rows, as it stands.
 ExperimentGroup Laboratory::coordinates() const {
     ExperimentGroup group;
     group.title = tr("coordinates of Φq");

@@ -11,7 +11,7 @@ namespace jw {
 
 namespace {
 
-/// The first mistake of the file that the lesson would become.
+/// The first error in the file that the lesson would become; empty if there is none.
 std::string mistake_in(const Lesson& lesson) {
     try {
         const ReadResult read = read_lesson(lesson_text(lesson), lesson.file_name);

@@ -15,7 +15,7 @@ namespace {
 // more than a person remembers
 constexpr std::size_t kMostHistory = 200;
 
-/// Identifies edits of one kind on one thing: while a slider is dragged, all of them are one change.
+/// Number that is the same for all edits of one dragged slider, which are one change; 0 for other edits.
 std::size_t gesture_of(const Experiment& experiment) {
     const std::size_t kind = experiment.index() + 1;
     if (const auto* a = std::get_if<SetGeometry>(&experiment)) {
@@ -202,8 +202,8 @@ const std::vector<std::string>& Session::tried() const {
     return *cache_->tried;
 }
 
-/// All or nothing: if a lesson cannot be told, for example because there is not enough memory, everything
-/// stays as it was.
+/// Takes over a lesson completely or not at all: if it cannot be told, for example because there is not
+/// enough memory, everything stays as it was.
 void Session::take_over(std::shared_ptr<const Lesson> lesson) {
     ToldLesson told = tell_(std::move(lesson), how_);
     auto story = std::make_unique<Story>(std::move(told.story));

@@ -21,7 +21,7 @@ namespace jw {
 struct CarriedOut {
     Experiment edit;
     std::shared_ptr<const Lesson> lesson;
-    std::string what;  ///< was done, in words
+    std::string what;  ///< description of what was done
 };
 
 class Session {
@@ -57,8 +57,8 @@ public:
     std::string apply(const Experiment& experiment);
 
     /// Sentences (experiment_text.hpp) that lead from as_written() to lesson(): carried out one after the
-    /// other (carry_out.hpp), they give every number of it exactly. They are few: a later one about the same
-    /// thing replaces those before it.
+    /// other (carry_out.hpp), they give every number of the lesson exactly. They are few: a later sentence
+    /// about the same thing replaces the earlier ones.
     const std::vector<std::string>& tried() const;
 
     /// Shows vectors and equations of this joint during the motion; the same one again, or -1, leaves the
@@ -68,7 +68,7 @@ public:
     /// Replaces the lesson after its file was saved again. What was tried before stays in the history.
     void replace(Lesson lesson);
     /// Shows what `other` shows, with the joint chosen there: one change, which undo takes back.
-    /// @param what  was changed, in words
+    /// @param what  description of the change
     void become(Session&& other, std::string what);
     /// Tells the same story again, at the same step, in the present language
     /// (app/session/wording/messages.hpp).
@@ -120,7 +120,7 @@ private:
     std::string perform(const Undo& experiment);
     std::string perform(const Redo& experiment);
     std::string perform(const StartOver& experiment);
-    /// Back to the pose of the step, from the pose that a hand or a free motion led to.
+    /// Goes back to the pose of the step from the pose that a hand or a free motion led to.
     void leave_hand();
     std::string edit(const Experiment& experiment);
     std::string scrub(const Drag& drag);

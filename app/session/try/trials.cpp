@@ -16,7 +16,7 @@ int freedoms_of(const Story& story) {
     return (step.rank ? *step.rank : rank_of(*step.system, step.state, step.t)).dof;
 }
 
-/// Whether the story after the experiments is as the author says.
+/// Judges whether the story after the experiments is as the author says.
 void judge(const Trial& trial, int freedoms_before, const Story& story, ClaimResult& result) {
     const Step* const failed = story.failure();
     if (trial.breaks) {

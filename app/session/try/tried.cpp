@@ -46,7 +46,7 @@ bool same_joint(const Joint& a, const Joint& b) {
     return a.geometry == b.geometry && a.parallel_form == b.parallel_form && a.without == b.without;
 }
 
-/// Compares everything that edits can change; the measure of a driver follows from its joint.
+/// True if everything that edits can change is equal; the measure of a driver follows from its joint.
 bool same_lesson(const Lesson& a, const Lesson& b) {
     const auto same_function = [](const Driver& x, const Driver& y) { return x.function == y.function; };
     return a.order == b.order && a.coordinates == b.coordinates &&
@@ -55,7 +55,7 @@ bool same_lesson(const Lesson& a, const Lesson& b) {
            std::ranges::equal(a.mechanism.drivers, b.mechanism.drivers, same_function);
 }
 
-/// Whether the sentences of `edits`, read and carried out, lead to `now`.
+/// True if the sentences of `edits`, read and carried out, lead to `now`.
 bool lead_to(const Lesson& now, std::span<const Experiment> edits, const Lesson& written) {
     Lesson lesson = written;
     for (const Experiment& edit : edits) {

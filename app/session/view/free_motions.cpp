@@ -10,10 +10,10 @@ namespace jw {
 
 namespace {
 
-// largest number of free motions, times columns: they are judged in about 50 ms
+// largest number of free motions times columns that is judged: this takes about 50 ms
 constexpr std::ptrdiff_t kMostJudged = 1000;
 
-/// Moving bodies that no equation holds.
+/// Moving bodies that no equation constrains.
 std::vector<int> loose_bodies(const System& system) {
     const Mechanism& mechanism = system.mechanism();
     std::vector<bool> held(mechanism.bodies.size(), false);

@@ -11,10 +11,10 @@
 /// Free motions of a pose as lists show them: in words, with the verdict on each.
 namespace jw {
 
-/// One per free motion; nothing for motions of bodies that no equation holds. Empty: not judged.
+/// Judgements, one per free motion; nothing for bodies that no equation constrains. Empty: not judged.
 using FreedomJudgements = std::vector<std::optional<FreedomJudgement>>;
 
-/// Judgements on the free motions of a pose. @return empty if they are so many that a reader would have to
+/// Judgements on the free motions of a pose. @return empty if there are so many that a reader would have to
 /// wait
 FreedomJudgements judgements_on(
     const System& system, const State& state, double t, const std::vector<FreeMotion>& motions);
@@ -22,16 +22,16 @@ FreedomJudgements judgements_on(
 /// A free motion in a list.
 struct ListedMotion {
     std::string text;  ///< "crank: ω′z 1; rocker: ω′z 0.258"
-    std::string told;  ///< "finite · crank: ω′z 1; rocker: ω′z 0.258"; as `text` where it is not judged
+    std::string told;  ///< "finite · crank: ω′z 1; rocker: ω′z 0.258"; the same as `text` if not judged
     std::optional<FreedomJudgement> judgement;
-    int index = -1;  ///< in the list of free motions; -1 for bodies that no equation holds
+    int index = -1;  ///< in the list of free motions; -1 for bodies that no equation constrains
 };
 
-/// Entries of the list: one per free motion, but a single one for bodies that no equation holds.
+/// Entries of the list: one per free motion, but a single one for bodies that no equation constrains.
 std::vector<ListedMotion> listed_motions(
     const System& system, const std::vector<FreeMotion>& motions, const FreedomJudgements& judgements);
 
-/// List of free motions, judged when somebody first looks at it; copies share what was found.
+/// List of free motions that is judged when it is first read; copies share the result.
 class MotionsWhenAsked {
 public:
     MotionsWhenAsked() = default;

@@ -24,7 +24,7 @@ struct Inspection {
     VectorX nu;
     VectorX gamma;
     VectorX singular_values;            ///< of `jacobian` as it stands; empty where `rank` has no spectrum
-    double singular_value_error = 0.0;  ///< none of them is off by more than this
+    double singular_value_error = 0.0;  ///< bound on the error of each of them
     bool sound = true;                  ///< false: the singular values did not pass their check
     KinematicResiduals residuals;       ///< of the pose and of `velocity`; accelerations are not part of it
     RankReport rank;                    ///< kinematic, whatever the coordinates
@@ -37,7 +37,7 @@ enum class Spectrum {
     always,    ///< however long it takes: a minute for 500 bodies
 };
 
-/// Largest system whose Φq is shown with all of its zeros, by columns of (r, ω').
+/// True if the system has so few columns of (r, ω') that its Φq is shown with all of its zeros.
 bool is_shown_dense(const Inspection& inspection);
 
 /// Verdicts on the free motions of an assembled pose; empty for others.
@@ -49,25 +49,25 @@ FreedomJudgements judgements_of(const Inspection& inspection);
 Inspection inspect_step(
     const Story& story, int index, CoordinateChoice choice, Spectrum spectrum = Spectrum::of_small);
 
-/// The state of the file, all joints and drivers present, nothing assembled; γ belongs to the file's
+/// Inspection of the state of the file, with all joints and drivers, not assembled; γ belongs to the file's
 /// velocities.
 Inspection inspect_as_given(
     const Lesson& lesson, CoordinateChoice choice, Spectrum spectrum = Spectrum::of_small);
 
-/// Assembled, and followed through the motion to time `t`.
+/// Inspection of the assembled mechanism, followed through the motion to time `t`.
 /// @throws PoseNotReached
 Inspection inspect_time(
     const Lesson& lesson, double t, CoordinateChoice choice, Spectrum spectrum = Spectrum::of_small);
 
-/// The numerics could not find a pose; `what()` says why.
+/// Thrown if a pose could not be found; `what()` says why.
 class PoseNotReached : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Why a story ended at its step `failed`, with the lesson's file name; to be thrown.
+/// Exception that says why a story ended at its step `failed`, with the lesson's file name.
 PoseNotReached not_reached(const Lesson& lesson, const Step& failed);
-/// Failure text for a pose of a motion that was not reached.
+/// The same for a pose of a motion that was not reached.
 PoseNotReached not_reached(const Lesson& lesson, const System& system, const PositionFailure& failure);
 
 }  // namespace jw

@@ -6,7 +6,7 @@
 #include "app/session/story/story.hpp"
 #include "core/quantity/evaluate.hpp"
 
-/// Quantities of a step; core/quantity says what they are and what they are called.
+/// Quantities of a step; core/quantity defines them and their names.
 namespace jw {
 
 /// A measured quantity of a joint or driver during the motion.

@@ -95,8 +95,8 @@ double liveliness(const Series& series) {
     return high - low > series.rounding ? (high - low) / size : 0.0;
 }
 
-/// The measure that says most, with its rates: of the measures that no driver prescribes, the one whose rate
-/// changes most, since the others are known; else the first. If nothing is measured, r of the first body.
+/// Indices of the measure to show first and of its rates: of those that no driver prescribes (the others are
+/// known), the one whose rate changes most; else the first. If nothing is measured, r of the first body.
 std::vector<int> telling_measure(const Story& story, const SeriesSet& set) {
     if (set.series.size() < 3) { return series::all_of(set); }
     const Step& step = story.steps()[static_cast<std::size_t>(set.steps.front())];
@@ -105,7 +105,7 @@ std::vector<int> telling_measure(const Story& story, const SeriesSet& set) {
     int k = 0;
     for (const QuantityMotion& q : quantities_of(step)) {
         const double changes = q.driven ? 0.0 : liveliness(set.series[static_cast<std::size_t>(k) + 1]);
-        // if only rounding distinguishes curves, the first one
+        // if only rounding distinguishes curves, the first is taken
         if (changes > (1.0 + 1e-9) * most) {
             most = changes;
             best = k;
@@ -144,7 +144,7 @@ std::vector<Solve> solves_of(const Story& story) {
             const auto is_newton = [&](std::size_t at) {
                 return std::holds_alternative<NewtonStep>(step.events[at]);
             };
-            // a solve that ends without a wrong branch after it gave up, and Newton began again elsewhere
+            // where a solve ends and no wrong branch follows, it gave up, and Newton began again elsewhere
             const bool closed = is_newton(event) && std::get<NewtonStep>(step.events[event]).rank == 0 &&
                                 !is_newton(event + 1);
             const bool later = solve.steps.empty() || !is_newton(event) || closed;

@@ -7,7 +7,7 @@
 #include "core/quantity/names.hpp"
 
 /// Curves of a story as plain values: quantities and singular values over time, residuals over iterations. A
-/// set is not updated; whoever shows one makes it once per story.
+/// set is computed once per story, and not updated.
 namespace jw {
 
 struct Series {
@@ -44,7 +44,7 @@ struct SeriesSet {
 SeriesSet motion_series(const Story& story, const BodyPoint& traced = {.body = -1});
 
 /// Adds curves of more quantities to a set over time; those that it has already stay as they are.
-/// @return how many were added
+/// @return number of curves added
 int add_series(SeriesSet& set, const Story& story, const std::vector<NamedQuantity>& list);
 
 /// ‖Φ‖ over the Newton iterations of the whole story, one after the other; one series per joint or driver.
@@ -54,16 +54,16 @@ SeriesSet newton_series(const Story& story);
 /// This needs one decomposition per moment, so the result should be kept.
 SeriesSet singular_value_series(const Story& story);
 
-/// Condition of the two rows that are left of each p1 and p2 of `joint` when x, y or z is left out, and of
-/// the rows in use. NaN where a pair has lost rank. Empty if the joint has no such equations.
+/// Condition numbers of the two rows that are left of each p1 and p2 of `joint` when x, y or z is left out,
+/// and of the rows in use. NaN where a pair has lost rank. Empty if the joint has no such equations.
 SeriesSet condition_series(const Story& story, int joint);
 
 /// Directions of the axis s_i of `joint` over the story from the step in which it is added up to step `last`,
 /// global, unit; empty before that.
 std::vector<Vec3> axis_directions(const Story& story, int joint, int last);
 
-/// RFC 4180 with line feeds: a header with units, then one line per point; numbers in the shortest form that
-/// reads back as the same double, empty where there is none.
+/// CSV of a set (RFC 4180 with line feeds): a header with units, then one line per point; numbers in the
+/// shortest form that reads back as the same double, empty where there is none.
 std::string csv_of(const SeriesSet& set);
 
 }  // namespace jw

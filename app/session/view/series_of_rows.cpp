@@ -18,8 +18,8 @@ std::string subscript_number(std::size_t number) {
     return text;
 }
 
-/// "sleeve p1, p2: x is left out" for each joint whose choice differs from that in `before`; no text if none
-/// does.
+/// Mark for all joints whose choice of rows differs from that in `before`: "sleeve p1, p2: x is left out";
+/// without text if there are none.
 Mark switches_between(const System& before, const System& now) {
     struct Switch {
         int joint = 0;
@@ -68,7 +68,7 @@ void add_switches(const Story& story, SeriesSet& set) {
     }
 }
 
-/// One mark in the middle of each run of poses that are nearly singular.
+/// Adds one mark in the middle of each run of poses that are nearly singular.
 void add_change_points(const Story& story, SeriesSet& set) {
     const auto is_one = [&](std::size_t point) {
         return story.steps()[static_cast<std::size_t>(set.steps[point])].change_point;

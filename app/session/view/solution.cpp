@@ -62,7 +62,7 @@ std::vector<std::string> columns_of(
 Instant instant_of(const System& system, const MotionFrame& frame, bool has_accelerations) {
     Instant instant;
     instant.t = frame.t;
-    // lives as long as the row
+    // does not own the system, which outlives the instant
     instant.system = std::shared_ptr<const System>(std::shared_ptr<const System>(), &system);
     instant.state = frame.state;
     instant.velocity = frame.velocity;
@@ -115,7 +115,7 @@ std::string asked_text(const System& system, int row, double value, const std::s
     return number_text(value, 6) + (unit == Unit::metre ? " m" : " 1") + per;
 }
 
-/// The redundant equation that differs most from what the equations that it repeats ask for.
+/// Text about the redundant equation whose right side differs most from the one that the others imply.
 /// @param asked    right sides: ν or γ
 /// @param of_rates  true: `asked` is ν
 std::string contradiction_of(

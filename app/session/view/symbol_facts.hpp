@@ -18,7 +18,7 @@ struct SymbolFact {
 /// @return nullptr for symbols that the book does not define
 const SymbolFact* fact_of(const formula::Symbol& symbol);
 
-/// "m/s²" of "m"; empty for a symbol without unit and without dots.
+/// Unit of a symbol with dots: "m/s²" of "m" with two; empty for a symbol without unit and without dots.
 std::string unit_of_rate(const std::string& unit, int dots);
 
 }  // namespace jw

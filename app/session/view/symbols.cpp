@@ -17,7 +17,7 @@ namespace {
 
 /// More bodies or joints than this are not listed.
 constexpr std::size_t kMostMeanings = 4;
-/// Letter of a vector fixed in a body; also the name of a joint type, which it is not here.
+/// Letter of a vector that is fixed in a body; not the joint type of the same name.
 constexpr std::string_view kArm = "s";
 
 std::size_t at_of(int index) { return static_cast<std::size_t>(index); }
@@ -91,7 +91,7 @@ private:
                 return value.d[0];
             }
         } catch (const formula::NotEvaluated&) {
-            // it stands for nothing there
+            // the symbol stands for nothing there
         }
         return std::nullopt;
     }
@@ -118,7 +118,7 @@ private:
         return true;
     }
 
-    /// "p_{crank}", "e_{1, crank}".
+    /// Adds the body that the index names, if it does: "p_{crank}", "e_{1, crank}".
     bool of_named_body() {
         const std::string index = written_index(symbol_->node.below);
         for (std::size_t b = 0; b < mechanism_->bodies.size(); ++b) {
@@ -199,7 +199,7 @@ private:
         return add(subject, node, owner, frame_in(part.body, symbol_->name.primes), part);
     }
 
-    /// Vectors and numbers of a joint that its type does not use stand for nothing.
+    /// False for vectors and numbers that the joint's type does not use: they stand for nothing.
     bool is_used(const JointType& type) const {
         const formula::Symbol& name = symbol_->name;
         if (name.letter == kArm && name.marks.empty()) {

@@ -75,7 +75,7 @@ std::vector<SymbolView> symbols_of(
     const Step& step, CoordinateChoice coordinates, const SymbolSubject& subject,
     const std::vector<std::string>& texts, const std::vector<EquationGroup>& equations);
 
-/// Place in the list; -1 if it is not there.
+/// Index in the list; -1 if the symbol is not there.
 int index_of_symbol(const std::vector<SymbolView>& symbols, std::string_view scope, std::string_view source);
 
 }  // namespace jw

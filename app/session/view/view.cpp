@@ -86,7 +86,7 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
     for (const ListedMotion& motion : listed_motions(system, report.free_motions, {})) {
         view.free_motions.push_back(motion.text);
     }
-    // other steps list none, or are led by hand, and change faster than motions can be judged
+    // other steps list none, or are moved by hand and change faster than motions can be judged
     const bool is_listed = step.rank && report.assembled &&
                            (step.kind == Step::Kind::assembled || step.kind == Step::Kind::answer);
     if (is_listed && !report.free_motions.empty()) {
@@ -96,7 +96,7 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
     return view;
 }
 
-/// The equations of all those joints, each with the reason why its rows are kept.
+/// The equations of all `joints`, each with the reason why its rows are kept.
 std::vector<EquationGroup> equations_of(
     const Story& story, const Step& step, int index, const std::vector<int>& joints,
     const RankReport& report) {
@@ -132,7 +132,7 @@ NewtonRow newton_row_of(const System& system, const NewtonStep& newton) {
     row.phi_norm = newton.phi_norm;
     row.largest_row = row_label(system, newton.largest_row);
     row.largest_value = newton.largest_value;
-    row.stepped = newton.rank > 0;  // neither when closed nor when given up
+    row.stepped = newton.rank > 0;  // false when closed or given up
     row.delta_norm = newton.delta_norm;
     row.turn_deg = newton.turn * kDegreesPerRadian;
     row.fraction = newton.fraction;
@@ -193,7 +193,7 @@ std::string author_text_of(const Lesson& lesson, const Step& step) {
     return subject.kind == Addition::Kind::joint ? texts.joints[k] : texts.drivers[k];
 }
 
-/// Adds what to remember at the end of a lesson.
+/// Adds the summary of a lesson, at its end.
 void add_summary(const Lesson& lesson, View& view) {
     if (lesson.summary.empty()) { return; }
     std::string& text = view.question ? view.question->why : view.author_text;

@@ -13,7 +13,7 @@
 #include "app/session/view/view_equations.hpp"
 
 /// Contents of a step as plain values. The terminal, the JSON, the panels and the pictures all read them, so
-/// a number shown in two places is computed once. Formulas as docs/mathematics.md says.
+/// a number shown in two places is computed once. Formulas are written as in docs/mathematics.md.
 namespace jw {
 
 struct MatrixView {
@@ -50,7 +50,7 @@ struct RankView {
     double residual = 0.0;
     bool assembled = true;
     bool near_singular = false;
-    double singular_value_error = 0.0;        ///< none of them is off by more than this
+    double singular_value_error = 0.0;        ///< bound on the error of each of them
     bool decided = true;                      ///< false: it is not known what the rank is; `doubts` says why
     std::vector<std::string> doubts;          ///< what is not proved, one sentence each; mostly empty
     std::vector<std::string> redundant_rows;  ///< labels
@@ -112,14 +112,14 @@ struct View {
     std::string failure;                     ///< joint, row, time, residual, cause, remedy; empty if none
 };
 
-/// Text and JSON do not show the matrix and the equations of motion: for a large system they are most of the
-/// work.
+/// Parts of a view to compute: text and JSON do not show the matrix and the equations of motion, which are
+/// most of the work for a large system.
 enum class ViewParts { all, without_matrix };
 
 /// @param index of the step in the story
 View view_of(const Story& story, int index, ViewParts parts = ViewParts::all);
 
-/// View of a step that is not in the story: it takes the place of step `index`, and is moved by hand.
+/// View of a step that takes the place of step `index` of the story, such as a pose moved by hand.
 View view_of(const Story& story, const Step& step, int index, ViewParts parts = ViewParts::all);
 
 }  // namespace jw

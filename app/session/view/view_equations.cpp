@@ -19,7 +19,7 @@ bool is_redundant(const RankReport* report, int row) {
            std::ranges::any_of(report->redundant_rows, [row](const RedundantRow& r) { return r.row == row; });
 }
 
-/// "0.8", the component of the unit axis without its sign
+/// Size of a component of the unit axis, without its sign: "0.8"
 std::string size_of(int component, const ChoiceView& choice) {
     return number_text(choice.axis_size[static_cast<std::size_t>(component)], 3);
 }
@@ -45,7 +45,7 @@ std::string reason_of_rule(const RowChoice& choice, const ChoiceView& view) {
         condition_of(dropped, view));
 }
 
-/// "x and y" or "a", from bits.
+/// Names of the components in a bit mask: "x and y" or "a".
 std::string components_of(unsigned mask, ParallelForm form) {
     constexpr std::array pair{"a", "b"};
     std::vector<std::string> names;

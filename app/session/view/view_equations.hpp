@@ -57,8 +57,8 @@ std::vector<EquationGroup> equations_of_joint(
 std::vector<EquationGroup> open_equations(const Step& now, const Step& after, int joint);
 EquationGroup equation_of_driver(const Step& step, int driver, const RankReport* report);
 
-/// Why these rows are kept, at the step's state.
-/// @param before the system of the step before, whose choice may have been another; may be nullptr
+/// Reasons for the rows of p1 and p2 that are kept, at the step's state.
+/// @param before the system of the previous step, which may have another choice; may be nullptr
 std::vector<RowChoice> choices_of_joint(
     const System& system, int joint, const State& state, const System* before);
 

@@ -10,13 +10,13 @@
 /// Outcomes of the numerics in words: failures, wrong branches, redundant rows, free motions.
 namespace jw {
 
-/// Which joint and row, when, how far off, the likely cause, and what to do.
+/// Message about a failure: which joint and row, when, how far off, the likely cause, and what to do.
 std::string failure_text(const System& system, const PositionFailure& failure);
 
-/// "joint D closed with sᵢ and sⱼ in opposite directions (cosine -1)"
+/// "the axes sᵢ and sⱼ of joint D point in opposite directions (cosine -1)"
 std::string branch_text(const System& system, const WrongBranch& wrong);
 
-/// "D · p1 · x = −1 A · p1 · x + 0.5 B · s · y", at most `most_terms` of them.
+/// "D · p1 · x = −A · p1 · x + 0.5 B · s · y", with at most `most_terms` terms.
 std::string combination_text(const System& system, const RedundantRow& redundant, std::size_t most_terms = 6);
 
 /// "rod: ω′x 1 (it turns on its own)", or the bodies and columns that take part.
@@ -32,11 +32,11 @@ const char* verdict_text(FreedomVerdict verdict);
 /// them.
 std::string leaving_text(const System& system, const FreedomJudgement& judgement);
 
-/// Why the rank is not known; empty if it is.
+/// Reason why the rank is not known; empty if it is.
 std::string undecided_text(const RankReport& report);
 
-/// Sentences that say what about a rank report is not proved: the rank, combinations with a residual, motions
-/// that are not free. Empty if all is proved.
+/// Sentences about the parts of a rank report that are not proved: the rank, combinations with a residual,
+/// motions that are not free. Empty if all parts are proved.
 std::vector<std::string> doubts_of(const System& system, const RankReport& report);
 
 }  // namespace jw

@@ -194,7 +194,7 @@ std::string singular_text(const System& system, const PositionFailure& failure) 
 
 std::string turning_point_text(const System& system, const PositionFailure& failure) {
     constexpr double digits_of = 1e-3;  // rad or m: four decimals of a degree
-    // proved if one driver moves alone; where it ends, another may begin
+    // a turning point is proved if one driver moves alone; where it ends, another may begin to move
     const DriverConstraint* moving = only_moving_driver(system, failure.t);
     const Driver& driver = driver_at(system, (moving != nullptr ? *moving : system.drivers().front()).driver);
     return followed(

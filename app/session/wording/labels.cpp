@@ -34,7 +34,7 @@ std::string curve_formula(const std::string& axis) {
         R"(\mathbf{e}_)" + axis + R"(^T \mathbf{A}_i^T \mathbf{d} - c_)" + axis + R"((\theta) = 0)");
 }
 
-/// The formula of an author, who may leave out that it is 0.
+/// The formula of an author as an equation; the author may leave out "= 0".
 std::string as_equation(const std::string& source) {
     const bool is_one = std::ranges::any_of(std::array{"=", "≡", R"(\equiv)"}, [&](const char* sign) {
         return source.find(sign) != std::string::npos;
@@ -42,7 +42,7 @@ std::string as_equation(const std::string& source) {
     return is_one ? source : source + " = 0";
 }
 
-/// Marks of each primitive; the count in the superscript is that of independent equations, as on the slides.
+/// Formula of a primitive; the number in its superscript counts the independent equations, as on the slides.
 std::string formula_of(Role role, const Joint& joint) {
     const bool pair = joint.parallel_form == ParallelForm::pair;
     switch (role) {

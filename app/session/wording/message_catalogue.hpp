@@ -18,12 +18,12 @@ public:
 
     /// The translation of `english`, ended by a NUL; nullptr if there is none.
     /// @param count  picks the form of a message with a count. If the language has two forms, the first
-    ///               is for 1; if it has one, that is taken
+    ///               is for 1; if it has one form, it is for all counts
     const char* find(std::string_view english, int count = 1) const;
 
     /// Number of messages; the first is the header, with the empty key.
     std::size_t size() const;
-    /// With all forms, separated by NULs, in ascending order of bytes.
+    /// A message with all its forms, separated by NULs; messages are in ascending order of bytes.
     std::string_view key(std::size_t index) const;
     std::string_view translation(std::size_t index) const;
 

@@ -67,7 +67,7 @@ requires(sizeof...(Arguments) > 0) std::string
     return messages::filled(text, text, 1, fmt::make_format_args(arguments...));
 }
 
-/// A message about `count` things; {0} is the count, {1} and so on are the others.
+/// A message about `count` things; {0} is the count, {1} and so on are the other arguments.
 template <class... Arguments>
 std::string tr_count(
     int count, fmt::format_string<const int&, const Arguments&...> one,

@@ -11,7 +11,7 @@ namespace jw {
 
 inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
-/// Up to `digits` significant digits, "0" for anything below 1e-15; no exponent between 1e-3 and 1e5.
+/// Up to `digits` significant digits; "0" below 1e-15; an exponent below 1e-4 and from 10^digits on.
 std::string number_text(double value, int digits = 4);
 /// Always with `decimals` decimals, for numbers that change from picture to picture.
 std::string fixed_text(double value, int decimals);

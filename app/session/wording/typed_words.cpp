@@ -12,7 +12,7 @@ namespace {
 
 // the limit of lesson files
 constexpr double kLargest = 1e9;
-// names of lessons that somebody types have no more words
+// typed names from a lesson have at most this many words
 constexpr std::size_t kWordsOfAName = 4;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }

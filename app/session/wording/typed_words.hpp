@@ -34,7 +34,7 @@ public:
     /// Skips `phrase`, one or several words, if it comes next.
     bool take(std::string_view phrase);
     /// The name from `names` that comes next, the longest one if several do; names may have blanks.
-    /// @param kind  what it is the name of, for messages: "joint"
+    /// @param kind  kind of part that is named, for messages: "joint"
     /// @return its index
     /// @throws Unreadable if there is none
     std::size_t name(const std::vector<std::string>& names, const std::string& kind);
@@ -44,7 +44,7 @@ public:
     double number(const std::string& what);
     /// The next word or words in quotes, as they are. @throws Unreadable at the end
     std::string text(const std::string& what);
-    /// Three numbers [m or none].
+    /// Three numbers [m, or without a unit].
     Vec3 vector(const std::string& what);
     int integer(const std::string& what);
     /// @throws Unreadable if something is left

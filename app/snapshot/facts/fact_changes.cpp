@@ -63,7 +63,7 @@ bool are_same(const NumberInText& a, const NumberInText& b) {
     return std::abs(a.value - b.value) <= std::max(1.5 * digit, kRounding);
 }
 
-/// Texts from the lesson's file: no machine rounds their numbers.
+/// True for texts from the lesson's file: no machine rounds their numbers.
 bool is_of_author(std::string_view name) {
     constexpr std::array names{
         "title of the lesson", "text of the author", "question", "reason of the answer", "source"};
@@ -78,7 +78,7 @@ bool are_same(const Fact& before, const Fact& after) {
     return before.unit == after.unit && std::abs(*before.value - *after.value) <= before.tolerance;
 }
 
-/// A number that may be missing where it is zero: an entry of the matrix.
+/// True for a number that is zero and so may be missing, such as an entry of the matrix.
 bool is_nothing(const Fact& fact, double tolerance) {
     return fact.value && fact.tolerance > 0.0 && std::abs(*fact.value) <= std::min(fact.tolerance, tolerance);
 }

@@ -9,7 +9,7 @@
 
 namespace jw::snapshot {
 
-/// A fact that has changed, or that is there only before or only after.
+/// A fact that has changed, or that exists only before or only after.
 struct FactChange {
     Weight weight = Weight::detail;
     std::string name;
@@ -30,8 +30,8 @@ struct StepNumber {
 /// The number of the step as facts tell it; nothing if they do not.
 std::optional<StepNumber> step_number_of(const std::vector<Fact>& facts);
 
-/// A golden file may allow this many times the tolerance that the program computes now. Ten would be enough
-/// if a largest value has passed a power of ten.
+/// A golden file may allow this many times the tolerance that the program computes now. If a largest value
+/// has passed a power of ten, ten times would be enough.
 inline constexpr double kMostOfTolerance = 100.0;
 
 /// Numbers that count as unchanged only because `before` allows more than that: comparing them proves

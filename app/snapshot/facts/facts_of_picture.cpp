@@ -26,7 +26,7 @@ void add_pose(const render::Pose& pose, const std::string& name, FactList& facts
     facts.vector(Weight::pose, name + " · y axis", pose.A.col(1), "");
 }
 
-/// Adds facts about a geometry, and what it is called.
+/// Adds facts about a geometry, and the name of its kind.
 void add_geometry(const render::Geometry& geometry, const std::string& name, FactList& facts) {
     const auto kind = [&](const char* word) { facts.text(Weight::count, name, word); };
     const auto length = [&](const char* what, double value) {

@@ -70,7 +70,7 @@ void add_equations(const View& view, FactList& facts) {
     }
 }
 
-/// Entries that are zero are not listed, as most are zero.
+/// Adds the entries that are not zero; most are zero.
 void add_matrix(const MatrixView& matrix, FactList& facts) {
     for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
         for (std::size_t k = 0; k < matrix.columns.size(); ++k) {

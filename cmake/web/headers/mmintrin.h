@@ -1,2 +1,1 @@
-// Eigen includes this beside the headers of SSE2. Registers of MMX are not there on WebAssembly, nor are they
-// used.
+// Eigen includes this header with those of SSE2. WebAssembly has no MMX registers, and they are not used.

@@ -10,7 +10,7 @@ State middle_of(const System& system, const PathEnd& from, const PathEnd& to) {
     for (const int body : system.moving_bodies()) {
         const auto b = static_cast<std::size_t>(body);
         const Vec4& p0 = from.state->p[b];
-        // both signs are the same pose: the nearer one
+        // p and -p are the same pose: the nearer one is used
         const Vec4 p1 = p0.dot(to.state->p[b]) < 0.0 ? Vec4(-to.state->p[b]) : to.state->p[b];
         const Vec4 p_dot0 = p_dot_of_omega_local(p0, from.velocity->omega_local[b]);
         const Vec4 p_dot1 = p_dot_of_omega_local(p1, to.velocity->omega_local[b]);

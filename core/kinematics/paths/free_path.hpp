@@ -58,7 +58,7 @@ private:
     NewtonStepper<OmegaLocal> newton_;
     std::vector<int> sides_;
     StepProof proof_;
-    double holds_;         ///< largest |Φ| of a pose, scaled
+    double holds_;         ///< largest |Φ| of an accepted pose, scaled
     double length_ = 0.0;  ///< of all steps of take_proved_step
 };
 

@@ -16,7 +16,7 @@ constexpr double kMostWork = 1e8;
 constexpr double kFewestSteps = 5.0;
 constexpr double kMostSteps = 60.0;
 
-/// Index of a body in a list that has all fixed bodies as one, the first.
+/// Index of a body in a list whose first entry stands for all fixed bodies.
 std::size_t index_of(const Mechanism& mechanism, int body) {
     return mechanism.bodies[at(body)].fixed ? 0 : at(body) + 1;
 }
@@ -36,8 +36,8 @@ std::vector<int> count_of_links(const Mechanism& mechanism, const Selection& sel
     return links;
 }
 
-/// The loops of a selection and what lies between them: what remains when links that are the only one of a
-/// body are removed repeatedly.
+/// Joints and drivers in and between the loops of a selection: those that remain when each link that is the
+/// only one of a body is removed, repeatedly.
 Selection in_loops(const Mechanism& mechanism, Selection selection) {
     for (std::size_t taken = 1; taken > 0;) {
         const std::vector<int> links = count_of_links(mechanism, selection);

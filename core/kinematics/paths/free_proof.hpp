@@ -29,7 +29,7 @@ public:
     /// False if rounding hides the branch: no step from this pose can be proved, however short.
     bool decides_at(const State& state, const Motion& velocity);
 
-    /// Steps that are fast enough for one movement of a hand: the work grows with the cube of the bodies.
+    /// Number of steps that fit into one movement of a hand: the work grows with the cube of the bodies.
     int most_steps() const;
 
 private:

@@ -102,8 +102,8 @@ void ProvedPart::bound_derivatives(const StepEnd& end, Anchor& anchor) const {
     }
 }
 
-/// Inverse of the rows chosen before, or of the most independent ones if those have become much weaker.
-/// Separate rows keep what these rows leave free.
+/// Inverts the rows chosen before, or the most independent ones if those have become much weaker. Separate
+/// rows fix the motions that these rows leave free.
 bool ProvedPart::choose_and_invert() {
     square_.resize(part_.columns, part_.columns);
     const auto invert_chosen = [&] {

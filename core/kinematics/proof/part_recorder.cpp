@@ -88,8 +88,8 @@ int PartRecorder::first_of(std::size_t unknown) const {
     return first;
 }
 
-/// Inverse of the rows chosen before, or of the most independent ones. Separate rows keep what these rows
-/// leave free.
+/// Inverts the rows chosen before, or the most independent ones. Separate rows fix the motions that these
+/// rows leave free.
 bool PartRecorder::choose_and_invert(const MatrixX& rows) {
     const auto invert = [&] {
         MatrixX square = chosen_of(rows);
@@ -111,7 +111,7 @@ bool PartRecorder::choose_and_invert(const MatrixX& rows) {
     return std::isfinite(size_of_inverse_);
 }
 
-/// K and α by blocks, in largest components.
+/// Estimates K and α by blocks, in the maximum norm.
 void PartRecorder::estimate(const std::vector<PathSample>& samples, const std::vector<double>& errors) {
     const auto unknowns = static_cast<Eigen::Index>(part_.unknowns.size());
     K_.setZero(unknowns, unknowns);

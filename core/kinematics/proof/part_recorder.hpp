@@ -16,7 +16,7 @@ struct PathSample {
 
 /// Rows of the equations `which`, in their order.
 std::vector<ProofRow> rows_of(const std::vector<ProvedEquation>& equations, const std::vector<int>& which);
-/// These rows in the columns of some coordinates, scaled.
+/// Jacobian of the equations `which` in the columns of `coordinates`, scaled.
 MatrixX columns_of(
     const ProvedStep& step, const PathSample& sample, const std::vector<int>& which,
     const std::vector<int>& coordinates);
@@ -27,8 +27,8 @@ public:
     PartRecorder(Part part, const ProvedStep& step);
 
     const Part& part() const { return part_; }
-    /// Writes the proof of a step into `record`. What is estimated from samples needs no proof here: the
-    /// program that checks the tube bounds it.
+    /// Writes the proof of a step into `record`. Estimates from samples need no proof here: the program that
+    /// checks the tube bounds them.
     /// @param samples  points of the step, both ends and the middle among them
     /// @param errors   per coordinate: bound of |x - x̂|, known for earlier parts; set for the unknowns
     /// @return false if the step is too long

@@ -12,7 +12,7 @@ namespace {
 constexpr double kTogether = 1e-6;        // least part of a free motion that is not rounding
 constexpr std::size_t kMostSearched = 3;  // largest part that is searched for, in bodies: crank, dyad, triad
 
-/// Searches for parts, from what is known to what follows from it.
+/// Search for parts, from the coordinates that are known to those that follow from them.
 class PartSearch {
 public:
     PartSearch(

@@ -9,8 +9,8 @@
 /// driver, then coupler and rocker, and so on. A proof of a part needs only the inverse of its own equations.
 namespace jw {
 
-/// Coordinates of a mechanism: r and p of each moving body, then each θ. `size` columns, `scale` the unit in
-/// which they are compared.
+/// Block of coordinates of a mechanism: r or p of a moving body, or a θ. It has `size` columns, which are
+/// compared in units of `scale`.
 struct Coordinates {
     int body = -1;
     int theta = -1;
@@ -18,7 +18,7 @@ struct Coordinates {
     double scale = 1.0;
 };
 
-/// Numbers of the coordinates of bodies and screws of a system.
+/// Coordinates of a system, numbered: r and p of each moving body, then each θ.
 class CoordinateTable {
 public:
     explicit CoordinateTable(const System& system);
@@ -62,8 +62,8 @@ struct Part {
     int rows = 0;
     int columns = 0;
     int rank = 0;  ///< less than the columns if something is left free
-    /// True if what is left free moves several bodies together, so that drivers do not determine their poses.
-    /// A rod that turns about itself moves alone.
+    /// True if a motion that is left free moves several bodies together, so that drivers do not determine
+    /// their poses. A rod that turns about itself moves alone.
     bool is_underdriven = false;
 
     int free_columns() const { return columns - rank; }
@@ -73,8 +73,8 @@ struct Part {
 /// larger one is not determined.
 inline constexpr int kMostProvedColumns = 280;
 
-/// Divides the coordinates into parts at a pose with these Jacobians: single bodies, pairs and threes that
-/// have as many independent equations as unknowns. The rest forms parts of bodies that equations link.
+/// Divides the coordinates into parts at a pose with these Jacobians: single bodies, pairs and groups of
+/// three with as many independent equations as unknowns. The rest forms parts of bodies that equations link.
 std::vector<Part> find_parts(
     const CoordinateTable& table, const std::vector<ProvedEquation>& equations,
     const std::vector<EquationJacobian>& jacobians);

@@ -16,7 +16,7 @@ struct ProofRow {
     int component = 0;
 };
 
-/// Why a step is only claimed.
+/// Reason why a step is claimed without a proof.
 enum class NoProof {
     none,
     nothing_drives,
@@ -35,7 +35,7 @@ struct PoseRecord {
 struct PartRecord {
     std::vector<int> unknowns;   ///< coordinates
     std::vector<ProofRow> rows;  ///< rows that are proved
-    MatrixX kept;                ///< rows w of what is left free: w·(x - x̂) = 0
+    MatrixX kept;                ///< rows w for the motions left free: w·(x - x̂) = 0
     MatrixX inverse;             ///< M, by unknowns, and by rows followed by those of `kept`
     VectorX radius;              ///< ρ of each of the unknowns
 };

@@ -45,7 +45,7 @@ private:
     const System* system_;
     StepProof proof_;
     ProvedStep step_;
-    ProvedStep sample_;  ///< of points between
+    ProvedStep sample_;  ///< for points between the ends
     std::vector<double> kinks_;
     std::vector<PartRecorder> parts_;
     bool are_divided_ = false;
@@ -110,7 +110,7 @@ bool ProofRecorder::Impl::is_proved(const MotionFrame& to, StepRecord& step) {
     return true;
 }
 
-/// Why nothing can be proved about this motion.
+/// Reason why nothing can be proved about this motion, or `none`.
 NoProof ProofRecorder::Impl::reason_for_all(const MotionFrame& frame) {
     if (system_->drivers().empty()) { return NoProof::nothing_drives; }
     const bool is_free = proof_.leaves_bodies_free({frame.t, &frame.state, &frame.velocity});

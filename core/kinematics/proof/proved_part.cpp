@@ -114,7 +114,7 @@ bool ProvedPart::is_within_reach() const {
         distance_.begin() + coordinates(), distance_.end(), [](double x) { return x <= kReachOfTheta; });
 }
 
-/// |Φ(x̂(t), t)| over the step.
+/// Bounds |Φ(x̂(t), t)| over the step.
 void ProvedPart::bound_residuals(Anchor& anchor) {
     const double h = std::abs(step_->h());
     for (std::size_t g = 0; g < part_.equations.size(); ++g) {
@@ -198,7 +198,7 @@ bool ProvedPart::prove(Anchor& anchor) {
     return contracts(anchor);
 }
 
-/// True if a radius, from `radius_` on, is mapped into itself; sets the error of the step.
+/// True if a tube of radius `radius_` or wider is mapped into itself; then sets the error of the step.
 bool ProvedPart::contracts(const Anchor& anchor) {
     const Eigen::Index unknowns = radius_.size();
     for (int n = 0; n < kMostTrials; ++n) {
@@ -210,7 +210,7 @@ bool ProvedPart::contracts(const Anchor& anchor) {
         if ((image_.array() >= radius_.array()).all()) { return false; }
         image_ = kWidening * (image_ + alpha_);
         if ((image_.array() < radius_.array()).all()) {
-            // the solution is in the tube, so it is in its image, and in the image of that
+            // the solution is in the tube, so it is in the image of the tube, and in the image of that image
             for (Eigen::Index u = 0; u < unknowns; ++u) {
                 const double error = kWidening * (alpha_(u) + K_.row(u).dot(image_));
                 step_->set_error(part_.unknowns[at(u)], error);

@@ -46,7 +46,7 @@ public:
     /// Time from the end of the step to the best place of the next anchor, which probably still proves this
     /// step [s]. 0 if the last anchor did not last long enough for that.
     double ahead() const;
-    /// True if an anchor ahead of the step proves it; otherwise the choice of rows is unchanged, or not made.
+    /// True if an anchor ahead of the step proves it; otherwise the choice of rows is unchanged or cleared.
     bool prove_ahead(const StepEnd& ahead);
     /// True if the anchor proves the step, whose error is then set.
     bool prove();
@@ -89,7 +89,7 @@ private:
     std::vector<int> chosen_;       ///< rows that are proved
     double size_of_inverse_ = 0.0;  ///< least since the rows were chosen
     MatrixX rows_;                  ///< transposed: the columns are rows of J, for pivoting
-    MatrixX others_;                ///< derivatives by the inputs
+    MatrixX others_;                ///< derivatives with respect to the inputs
     MatrixX square_;
     MatrixX inverse_;
     MatrixX defect_;
@@ -104,7 +104,7 @@ private:
     std::vector<double> residual_;  ///< per equation
     std::vector<double> passed_residual_;  ///< the same, with the errors of inputs added
     VectorX first_;                        ///< distance of the solution from x̂ if K were 0
-    VectorX needed_;                       ///< radius to try, as multiples of that
+    VectorX needed_;                       ///< radius to try, as multiples of `first_`
     VectorX radius_;
     VectorX alpha_;
     VectorX image_;
@@ -114,7 +114,7 @@ private:
 // The region around an anchor in which its bounds hold: a tube that leaves it needs another anchor. A larger
 // region would weaken the bounds of rows that depend on distances.
 inline constexpr double kReachOfP = 0.3;
-inline constexpr double kReachOfLength = 0.3;  // in extents; of θ: 1 rad, or 1 m of a target
+inline constexpr double kReachOfLength = 0.3;  // in extents; for θ: 1 rad, or 1 m for a target
 inline constexpr double kReachOfTheta = 1.0;
 inline constexpr double kSizeOfP = 1.06;
 // Error of a row: at most 8 roundings of its terms, counted as derivatives times coordinates. An arm A s' is

@@ -124,7 +124,7 @@ Path ProvedStep::path_of_coordinates(const Coordinates& c) const {
         return path_of(
             padded(a.state.r[n]), padded(a.r_dot[n]), padded(b.state.r[n]), padded(b.r_dot[n]), h());
     }
-    // both signs are the same pose: the nearer one
+    // p and -p are the same pose: the nearer one is used
     const double sign = a.state.p[n].dot(b.state.p[n]) < 0.0 ? -1.0 : 1.0;
     return path_of(a.state.p[n], a.p_dot[n], sign * b.state.p[n], sign * b.p_dot[n], h());
 }

@@ -38,7 +38,7 @@ class ProvedStep {
 public:
     explicit ProvedStep(const System& system);
 
-    /// Sets both ends; what is known of the start from the last step is kept.
+    /// Sets both ends; values at the start that the last step has computed are kept.
     void set(const PathEnd& from, const PathEnd& to);
 
     double length() const { return length_; }  ///< extent of the mechanism [m]
@@ -53,7 +53,7 @@ public:
     State state_at(double share) const;
     /// Pose to which the path leads if it continues for a time after the end of the step [s]: an estimate, in
     /// memory that the next call overwrites. It has neither velocities nor values of equations. The step must
-    /// have a length.
+    /// not have length 0.
     const StepEnd& ahead(double time);
     /// Bounds of the target of a driver over the step.
     const TaylorSeries& target(int equation) const { return targets_[at(equation)]; }

@@ -38,7 +38,7 @@ struct PathEnd {
 /// @source Kantorovich's theorem; docs/proofs.md
 class StepProof {
 public:
-    /// What a proof says about bodies that are left free together: nothing, since drivers do not determine
+    /// Statement of a proof about bodies that are left free together: none, since drivers do not determine
     /// their poses; or that one solution follows x̂ in that freedom.
     enum class LeftFree { undetermined, kept };
 

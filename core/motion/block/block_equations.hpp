@@ -87,7 +87,7 @@ private:
     /// Factors Φq M⁻¹ Φqᵀ of the links as last evaluated; in the metric of geometry where masses are far
     /// apart.
     void factor_in_metric();
-    /// Determines whether Φq M⁻¹ Φqᵀ keeps its digits at the bodies as last set.
+    /// Determines whether Φq M⁻¹ Φqᵀ keeps its digits at the poses last set.
     void compare_masses(double t);
     /// Turns M⁻¹ Q of every body into its accelerations.
     void solve_by_pivoting();

@@ -46,7 +46,7 @@ MatrixX BlockEquations<B>::free_motions(double t, const double* y) {
         jacobian.template block<B, 6>(
             static_cast<Eigen::Index>(n * B), static_cast<Eigen::Index>(6 * moving)) = j.transpose();
     });
-    // coordinates in which M is the identity: x = Rᵀ q̇ with M = R Rᵀ. Where masses are far apart their M
+    // coordinates in which M is the identity: x = Rᵀ q̇ with M = R Rᵀ. Where masses are far apart, this M
     // would hide constraints of heavy bodies
     MatrixX root = MatrixX::Zero(columns, columns);
     for (std::size_t m = 0; m < moving_.size(); ++m) {

@@ -115,7 +115,7 @@ double BlockEquations<B>::size_of_six() const {
     return size;
 }
 
-/// Every iteration leaves the relative error of the factorisation, which is from a nearby pose.
+/// Every iteration multiplies the residual by the relative error of the factors, which are of a nearby pose.
 template <int B>
 void BlockEquations<B>::meet(const std::vector<double>& right, double size) {
     double last = std::numeric_limits<double>::infinity();

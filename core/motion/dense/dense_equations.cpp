@@ -93,7 +93,7 @@ void DenseEquations<C>::to_flat(const double* y, double* flat) const {
     }
 }
 
-/// ω̇' follows from p̈ and ω̇ as ω' follows from ṗ and ω (slide 13).
+/// Rates of the flat state. ω̇' follows from p̈ and ω̇ as ω' follows from ṗ and ω (slide 13).
 template <class C>
 void DenseEquations<C>::flat_rates(const double* y, const double* y_dot, double* flat_dot) const {
     for (std::size_t n = 0; n < system_.moving_bodies().size(); ++n) {
@@ -140,7 +140,7 @@ void DenseEquations<C>::state_of(const double* value, const double* rate, double
     from_flat(flat.data(), y);
 }
 
-/// Finds every θ and θ̇: the angle that it follows, with the turns nearest to the previous value.
+/// Finds every θ, the angle that it follows with the turns nearest to its previous value, and θ̇.
 template <class C>
 void DenseEquations<C>::find_thetas() {
     std::size_t theta = 0;

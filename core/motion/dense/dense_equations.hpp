@@ -66,7 +66,7 @@ public:
     const VectorX& acceleration() const { return acceleration_; }
     /// Multipliers, one per row; not unique where rows are left out, whose λ is 0.
     const VectorX& lambda() const { return lambda_; }
-    /// Rows that were solved with, the most independent first.
+    /// Rows that the last solution used, the most independent first.
     const std::vector<int>& kept_rows() const { return saddle_point_.kept(); }
 
 private:

@@ -8,7 +8,7 @@
 #include "core/motion/tree/joint_tree.hpp"
 #include "core/numerics/sine_cosine.hpp"
 
-/// Bᵀ M B u̇ = Bᵀ (wrenches) for a tree of bodies, without ever forming B or Bᵀ M B.
+/// Solution of Bᵀ M B u̇ = Bᵀ (wrenches) for a tree of bodies, without forming B or Bᵀ M B.
 ///
 /// From the tips to the ground, every node receives the inertia of its children, reduced by the freedoms of
 /// their joints (articulated-body inertia); from the ground to the tips, the accelerations follow. The cost
@@ -71,12 +71,12 @@ public:
         }
         Vec3 omega_local() const { return mat3(A).transpose() * vec3(velocity.angular); }
     };
-    /// Inertias: those of the masses, or, independent of masses, 1 and length² for every body.
+    /// Inertias to use: those of the masses, or, independent of masses, 1 and length² for every body.
     enum class Metric { mass, geometry };
 
     /// @param scene must outlive this
-    /// @param start poses of the bodies; the joints hold there
-    /// @param registers that passes compute in
+    /// @param start poses of the bodies, which satisfy the joints
+    /// @param registers in which the passes compute
     ArticulatedTree(const Centroidal& scene, const State& start, Registers registers);
 
     const JointTree& joints() const { return joints_; }

@@ -19,8 +19,8 @@ struct Axis {
     Vec3 shift = Vec3::Zero();
 };
 
-/// Places where a body may hang on another: anywhere if that body does not turn, on its axis of rotation, or
-/// at the one point that all its turns leave in place.
+/// Places where a body may hang on another: anywhere if the joint does not turn it, on its axis of rotation,
+/// or at the one point that all its turns leave in place.
 enum class Support { anywhere, axis, point };
 
 Support support_of(std::span<const Freedom> motion) {
@@ -51,8 +51,8 @@ Vec3 nearest_to_centre(std::span<const Freedom> motion, const Vec3& point, const
 
 constexpr int kNotYet = -1;
 
-/// Heaviest body that has no depth yet, the first of equal ones; -1 if all have. A light body would add the
-/// inertia of what it carries to its own, and its own would be lost.
+/// Heaviest body that has no depth yet, the first of equal ones; -1 if all have. The inertia of a light body
+/// would be lost in that of the bodies that it carries.
 int heaviest_left(const Loads& loads, const std::vector<int>& depth) {
     int heaviest = -1;
     for (std::size_t b = 0; b < depth.size(); ++b) {

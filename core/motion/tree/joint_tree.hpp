@@ -14,30 +14,29 @@ namespace jw {
 enum class Hanging {
     welded,
     axis,  ///< one coordinate q: a turn about an axis, a displacement along it, or (screw) both
-    ball,  ///< its own p and ω', one point held
-    free   ///< its own r, p, ṙ, ω', not held
+    ball,  ///< its own p and ω', one point constrained
+    free   ///< its own r, p, ṙ, ω', not constrained
 };
 
-/// A body in the tree, or a massless one between two axes of the same joint (cylindrical, universal, planar).
-///
-/// Node of the tree. At q = 0 it lies relative to its parent as at the start. turn' and shift' are the effect
-/// of a unit q̇: the node's ω and its velocity at the point where it hangs; both are fixed in the node, and
-/// have the same components in its parent.
+/// Node of the tree: a body, or a massless one between two axes of the same joint (cylindrical, universal,
+/// planar). At q = 0 it lies relative to its parent as at the start. turn' and shift' are the effect of a
+/// unit q̇: the node's ω and its velocity at the point where it hangs; both are fixed in the node, and have
+/// the same components in its parent.
 struct TreeNode {
     int body = -1;    ///< in the mechanism; -1: massless
     int parent = -1;  ///< an earlier node; -1: the fixed bodies, with the global frame
     Hanging hanging = Hanging::free;
-    Vec3 point_parent = Vec3::Zero();  ///< where it hangs at q = 0, in the parent's frame [m]
+    Vec3 point_parent = Vec3::Zero();  ///< point where it hangs at q = 0, in the parent's frame [m]
     Vec3 point_local = Vec3::Zero();   ///< the same point of the node, in its own frame [m]
-    Vec4 p_parent = Vec4::Unit(0);     ///< its orientation at q = 0, in the parent's frame; axis and welded
+    Vec4 p_parent = Vec4::Unit(0);     ///< axis, welded: its orientation at q = 0, in the parent's frame
     Vec3 turn_local = Vec3::Zero();    ///< axis: [rad] per q
     Vec3 shift_local = Vec3::Zero();   ///< axis: [m] per q
     // derived from these
     bool turns = false;
     bool shifts = false;
     Vec4 p_turned = Vec4::Zero();  ///< p_parent times (0, turn'): p is cos(q/2) p_parent + sin(q/2) p_turned
-    int position = 0;              ///< where its q; p; or r and p begin in y
-    int velocity = 0;              ///< where its q̇; ω'; or ṙ and ω' begin in y
+    int position = 0;              ///< index in y where its q, its p, or its r and p begin
+    int velocity = 0;              ///< index in y where its q̇, its ω', or its ṙ and ω' begin
     /// Largest distance that the bodies hanging on this node can reach from its point [m].
     double reach = 0.0;
 
@@ -45,13 +44,13 @@ struct TreeNode {
     int velocities() const;
 };
 
-/// y = all positions, then all velocities, node by node.
+/// Tree of joints. y = all positions, then all velocities, node by node.
 class JointTree {
 public:
     /// Chooses the joints of the tree: those with the fewest freedoms, then those nearest to the ground;
-    /// equations chosen or taken out by hand stay equations. If no such joint holds some bodies, the heaviest
-    /// of them moves freely and carries the others.
-    /// @param start poses of all bodies; the joints hold there
+    /// a joint with equations chosen or taken out by hand stays an equation. If no such joint connects some
+    /// bodies to the tree, the heaviest of them moves freely and carries the others.
+    /// @param start poses of all bodies, which satisfy the joints
     JointTree(const Centroidal& scene, const State& start);
 
     std::span<const TreeNode> nodes() const { return nodes_; }

@@ -56,7 +56,7 @@ void TreeEquations::from_flat(const double* flat, double* y) const {
         if (joint.hanging == Hanging::free) { std::copy_n(numbers, 7, y + joint.position); }
         if (joint.hanging == Hanging::ball) { std::copy_n(numbers + 3, 4, y + joint.position); }
     }
-    // u = (Bᵀ M B)⁻¹ Bᵀ (momenta): their effect as forces on a tree at rest
+    // u = (Bᵀ M B)⁻¹ Bᵀ (momenta): the momenta are applied as forces to a tree at rest
     std::vector<BodyForce> momenta(bodies_.size());
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         const MassProperties& own = *scene_->loads.masses[at(moving_[m])];

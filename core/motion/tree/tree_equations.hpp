@@ -35,8 +35,7 @@ public:
     int bodies() const override { return static_cast<int>(moving_.size()); }
     std::vector<NumberScale> scales() const override;
     void to_flat(const double* y, double* flat) const override;
-    /// Valid for the pose of the start only; velocities are the nearest that the tree allows, in the metric
-    /// of M.
+    /// Valid only at the start pose; velocities are the nearest that the tree allows, in the metric of M.
     void from_flat(const double* flat, double* y) const override;
     int interpolated() const override { return joints().positions(); }
     void derivatives(const double* y, const double* y_dot, double* out) const override;

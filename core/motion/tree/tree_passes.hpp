@@ -12,8 +12,8 @@ JW_INLINE void store(const V& v, double* numbers) {
     for (int k = 0; k < 3; ++k) { numbers[k] = v[k]; }
 }
 
-/// Computes pose and arms.
-/// @param cosine, sine of its angle, if it turns
+/// Computes pose and arms of a node.
+/// @param cosine, sine of the node's angle, if it turns
 template <Lanes V>
 JW_INLINE void place(Node& node, const Node& parent, const double* y, double cosine, double sine) {
     const Columns<V> A_parent = parent.A;
@@ -84,7 +84,7 @@ JW_INLINE Columns<V> J_of(const Node& node) {
 }
 
 /// Sets the node's own inertia and the wrench Q - M Ḃ u.
-/// @param Q nullptr if it is massless
+/// @param Q nullptr if the node is massless
 template <Lanes V>
 JW_INLINE void set_inertia_and_wrench(Node& node, const BodyForce* Q) {
     if (Q == nullptr) {

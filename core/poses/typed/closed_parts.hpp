@@ -11,7 +11,7 @@ namespace jw {
 /// Part whose joints stay connected if any one of its bodies is removed.
 struct ClosedPart {
     std::vector<int> joints;  ///< indices in the mechanism, ascending
-    int base = 0;             ///< body by which the part hangs on the rest
+    int base = 0;             ///< body that connects the part to the rest
 };
 
 /// The parts with loops that these joints form; all fixed bodies count as one.

@@ -52,7 +52,7 @@ private:
     std::vector<Found> found_;
 };
 
-/// Numbers that change the part; joints are counted within the part.
+/// Numbers that change the part; joints are numbered within the part.
 std::vector<TypedNumber> Judgement::numbers_of(const ClosedPart& part, bool with_short) const {
     std::vector<TypedNumber> out;
     for (std::size_t k = 0; k < numbers_.size(); ++k) {

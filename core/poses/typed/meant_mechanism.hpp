@@ -15,12 +15,12 @@ namespace jw {
 struct MeantMechanism {
     TypedVerdict verdict;
     std::vector<JointGeometry> geometry;
-    VectorX effects;  ///< effect of half a unit of each number on what decides; 0 if it has none
+    VectorX effects;  ///< effect of half a unit of each number on the conditions for a motion; 0: none
 };
 
 /// Searches each closed part of the mechanism for what was meant. The joints that may be redundant are
-/// searched alone first, so that a loop takes the same time whatever it hangs on. A number of a pose that
-/// acts in two closed parts is fitted in each of them separately.
+/// searched alone first, so that a loop takes the same time whatever it is connected to. A number of a pose
+/// that acts in two closed parts is fitted in each of them separately.
 /// @param numbers those known to their last digit; all others are exact
 /// @return nothing if the digits do not affect the rank, if no motion is near, or if everything is too large
 /// to decide: more than 25 moving bodies in doubt together, or a part of more than 300 columns

@@ -23,8 +23,8 @@ constexpr int kMostCheckSteps = 40;  // nearly two turns
 constexpr int kLeastSteps = 4;       // a motion of a radian counts as finite
 constexpr int kMostFits = 12;
 constexpr int kMostRounds = 4;
-// limit of what all digits together may change, with those that short numbers have lost; more has another
-// cause
+// limit of the misfit that all digits together may cause, with those that short numbers have lost; a larger
+// one has another cause
 constexpr double kDoubtful = 5.0;
 // a linear fit leaves errors of second order, which the next fit removes. The limit is as small as changes
 // within the half units allow, since errors of weak conditions are as large as the changes that they require
@@ -33,8 +33,8 @@ constexpr double kMostLinearRest = 2e-2;
 constexpr double kRounding = 1e-16;
 // singular values below it are rounding
 constexpr double kExact = 1e-13;
-// share of a joint in what is redundant: other joints have some of the misfit, joints of a loop have equal
-// shares
+// share of a joint in the combinations of redundant rows: other joints have some of the misfit, joints of a
+// loop have equal shares
 constexpr double kTakesPart = 1e-3;
 
 /// First-order conditions A x = b for the changes x of the numbers, in half units, with which the equations

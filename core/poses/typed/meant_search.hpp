@@ -25,13 +25,13 @@ std::optional<RankDoubt> find_doubt(const Mechanism& mechanism, const std::vecto
 
 /// Result of the search in a closed part.
 struct MeantPart {
-    /// How much half a unit of a number changes the conditions for a motion.
+    /// Change of the conditions for a motion by half a unit of a number.
     struct Effect {
         int number = 0;  ///< TypedNumber::index
         double size = 0.0;
     };
     TypedVerdict verdict;
-    std::vector<JointGeometry> geometry;  ///< of each joint; as typed if none was found
+    std::vector<JointGeometry> geometry;  ///< of each joint; as typed if no mechanism was found
     std::vector<Effect> effects;          ///< of each number
 };
 

@@ -20,9 +20,9 @@ struct TypedNumber {
     };
     double half_unit = 0.0;
     std::vector<Change> changes;
-    /// Has few digits, and counts as rounded only if nothing else explains the misfit.
+    /// True if the number has few digits: it counts as rounded only if nothing else explains the misfit.
     bool is_short = false;
-    int index = 0;  ///< in the list of all
+    int index = 0;  ///< in the list of all numbers
 };
 
 /// Joints with the numbers changed by `changes`, each in half units; axes keep their lengths.
