@@ -52,9 +52,10 @@ struct Driver {
 /// Verdict on the rank of all joints together, where it depends on the digits of typed numbers.
 struct TypedVerdict {
     int rank_as_typed = 0;
-    int rank = 0;         ///< of the mechanism that was meant
-    double misfit = 0.0;  ///< largest |Φ| of the mechanism as typed along the meant motion, scaled
-    double share = 0.0;   ///< largest change of a number, in half units of its last digit
+    int rank = 0;                 ///< of the mechanism that was meant
+    double misfit = 0.0;          ///< largest |Φ| of the mechanism as typed along the meant motion, scaled
+    double share = 0.0;           ///< largest change of a number, in half units of its last digit
+    std::string short_of_digits;  ///< name of the number or key that decides the rank; empty: several do
     /// True: a mechanism within the digits has `rank` along a motion of finite length. False: no such
     /// mechanism was found, and the rank is not known.
     bool is_told = false;

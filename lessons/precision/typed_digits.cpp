@@ -48,10 +48,10 @@ void take_as_meant(std::vector<Fields>& bodies, const std::vector<Fields>& joint
     for (std::size_t k = 0; k < meant->geometry.size(); ++k) {
         mechanism.joints[k].geometry = meant->geometry[k];
     }
-    if (meant->verdict.rank < meant->verdict.rank_as_typed) {
-        tell(
-            meant->verdict, numbers.short_of_digits(meant->effects), joints.back().span(), *reading.problems);
-    }
+    if (meant->verdict.rank == meant->verdict.rank_as_typed) { return; }
+    const Located<std::string> short_of_digits = numbers.short_of_digits(meant->effects);
+    if (short_of_digits.span.line > 0) { mechanism.typed->short_of_digits = short_of_digits.value; }
+    tell(meant->verdict, short_of_digits, joints.back().span(), *reading.problems);
 }
 
 }  // namespace jw::reading

@@ -327,6 +327,12 @@ TEST_CASE("JSON tells what typed digits leave open about the rank", "[app][inspe
     }
     // the first joint alone has no redundant row
     CHECK(typed[1]["typed_digits"].is_null());
+    // both axes have as few digits
+    CHECK(typed.back()["typed_digits"]["short_of_digits"].is_null());
+    const std::string few = "[0.21822, 0.43644, 0.87287]";
+    const std::string many = "[0.2182178902359924, 0.4364357804719848, 0.8728715609439696]";
+    const json one_axis = ranks(std::string(door).replace(door.find(few), few.size(), many));
+    CHECK(one_axis.back()["typed_digits"]["short_of_digits"] == "'axis' of revolute joint 'upper'");
     for (const json& rank : ranks(door + "[precision]\nexact = true\n")) {
         CHECK(rank["typed_digits"].is_null());
     }

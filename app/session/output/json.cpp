@@ -144,7 +144,8 @@ Json json_of(const std::optional<TypedVerdict>& typed) {
         {"rank_as_typed", typed->rank_as_typed},
         {"rank", typed->rank},
         {"misfit", number(typed->misfit)},
-        {"share", typed->is_told ? number(typed->share) : Json()}};
+        {"share", typed->is_told ? number(typed->share) : Json()},
+        {"short_of_digits", typed->short_of_digits.empty() ? Json() : Json(typed->short_of_digits)}};
 }
 
 const char* word_of(FreedomVerdict verdict) {

@@ -98,6 +98,12 @@ std::string leaving_text(const System& system, const FreedomJudgement& judgement
     return judgement.has_motion_beside ? leaves + "; " + tr("a nearby motion is finite") : leaves;
 }
 
+/// "Give 0.57735 in 'axis' of revolute joint 'hinge' more digits."
+std::string advice_on_digits(const TypedVerdict& typed) {
+    return typed.short_of_digits.empty() ? tr("Points, axes and poses need more digits.")
+                                         : tr("Give {0} more digits.", typed.short_of_digits);
+}
+
 std::string undecided_text(const RankReport& report) {
     if (report.decided) { return {}; }
     if (!report.sound) {
@@ -106,10 +112,11 @@ std::string undecided_text(const RankReport& report) {
             small_text(report.singular_value_error));
     }
     if (report.typed && !report.typed->is_told) {
-        return tr(
-            "The rank is not known: the numbers as typed give {0}, others that differ in their last digits "
-            "may give {1}. Points, axes and poses need more digits.",
-            report.typed->rank_as_typed, report.typed->rank);
+        return followed(
+            tr("The rank is not known: the numbers as typed give {0}, others that differ in their last "
+               "digits may give {1}.",
+               report.typed->rank_as_typed, report.typed->rank),
+            advice_on_digits(*report.typed));
     }
     const auto last = static_cast<Eigen::Index>(report.rank) - 1;
     const bool may_vanish =
@@ -127,12 +134,13 @@ std::vector<std::string> doubts_of(const System& system, const RankReport& repor
     std::vector<std::string> doubts;
     if (!report.decided) { doubts.push_back(undecided_text(report)); }
     if (report.typed && report.typed->is_told && report.typed->rank < report.typed->rank_as_typed) {
-        doubts.push_back(
+        doubts.push_back(followed(
             tr("Overconstrained to the digits typed: the numbers as typed give rank {0}, but violate the "
                "equations by {1} along the motion. Numbers that differ by at most {2} half units of the last "
                "digit give rank {3} and are used.",
                report.typed->rank_as_typed, small_text(report.typed->misfit),
-               number_text(report.typed->share, 2), report.typed->rank));
+               number_text(report.typed->share, 2), report.typed->rank),
+            advice_on_digits(*report.typed)));
     }
     for (const RedundantRow& row : report.redundant_rows) {
         if (row.misfit <= row.bound) { continue; }
