@@ -194,19 +194,36 @@ TEST_CASE("A pose that a formula with bounds determines is proved", "[core][form
     }
 }
 
+/// Formulas that have a pole, or the end of a root, at this distance from the pose of held_crank.
+std::vector<std::pair<Part, double>> formulas_beside_a_pole(double gap) {
+    const Part beside = dot(s_i, s_j) - number(std::cos(1.0) - gap);
+    return {
+        {square_root(beside), std::sqrt(gap)},
+        {number(2.0) * square_root(beside), 2.0 * std::sqrt(gap)},
+        {sine(square_root(beside)), std::sin(std::sqrt(gap))},
+        {number(gap) / beside, 1.0},
+        {square_root(number(gap) / beside) + dot(s_i, s_j), 1.0 + std::cos(1.0)},
+        {power(beside, -1.5), std::pow(gap, -1.5)},
+        {number(0.0) * square_root(beside) + dot(s_i, s_j), std::cos(1.0)}};
+}
+
+TEST_CASE(
+    "Near a pole of a formula, and where it is steep, a small region is proved", "[core][formula_joint]") {
+    auto formulas = formulas_beside_a_pole(1e-3);
+    formulas.emplace_back(power(number(1.0 / std::cos(1.0)) * dot(s_i, s_j), 200.0), 1.0);
+    for (const auto& [left, right] : formulas) {
+        CAPTURE(left.text);
+        const Verdict verdict = verdict_on(held_crank(left, right));
+        CHECK(verdict.decided);
+        CHECK(verdict.holds);
+    }
+}
+
 TEST_CASE(
     "Where a formula has no bounds nothing is proved, and nothing is undefined", "[core][formula_joint]") {
     // regular at the pose, but with a pole or the end of a root so near that every region contains it
-    const double gap = GENERATE(1e-3, 1e-6);
-    const Part beside = dot(s_i, s_j) - number(std::cos(1.0) - gap);
-    for (const auto& [left, right] : std::vector<std::pair<Part, double>>{
-             {square_root(beside), std::sqrt(gap)},
-             {number(2.0) * square_root(beside), 2.0 * std::sqrt(gap)},
-             {sine(square_root(beside)), std::sin(std::sqrt(gap))},
-             {number(gap) / beside, 1.0},
-             {square_root(number(gap) / beside) + dot(s_i, s_j), 1.0 + std::cos(1.0)},
-             {power(beside, -1.5), std::pow(gap, -1.5)},
-             {number(0.0) * square_root(beside) + dot(s_i, s_j), std::cos(1.0)}}) {
+    const double gap = GENERATE(1e-6, 1e-9);
+    for (const auto& [left, right] : formulas_beside_a_pole(gap)) {
         CAPTURE(left.text, gap);
         const Verdict verdict = verdict_on(held_crank(left, right));
         CHECK_FALSE(verdict.decided);

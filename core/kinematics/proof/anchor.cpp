@@ -38,8 +38,10 @@ bool ProvedPart::set_anchor(const StepEnd& end, Anchor& anchor) {
     }
     anchor.targets.clear();
     for (const int e : part_.equations) { anchor.targets.push_back(end.thetas[at(e)].value); }
+    anchor.reach = 1.0;
     bound_derivatives(end, anchor);
     anchor.is_set = invert(end, anchor);
+    if (anchor.is_set && has_formula_) { choose_reach(end, anchor); }
     return anchor.is_set;
 }
 
@@ -57,8 +59,8 @@ void ProvedPart::bound_derivatives(const StepEnd& end, Anchor& anchor) const {
         around.p = exact.p;
         around.A = exact.A;
         const bool moves = step_->table().of_body(body) >= 0;
-        around.reach_r = moves ? kReachOfLength * length : 0.0;
-        around.reach_p = moves ? kReachOfP : 0.0;
+        around.reach_r = moves ? anchor.reach * kReachOfLength * length : 0.0;
+        around.reach_p = moves ? anchor.reach * kReachOfP : 0.0;
         around.size_of_p = moves ? kSizeOfP : exact.p.norm();
         return around;
     };

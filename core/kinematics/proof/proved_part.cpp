@@ -29,7 +29,8 @@ constexpr double kEnlargement = 1.15;
 
 }  // namespace
 
-ProvedPart::ProvedPart(Part part, ProvedStep& step) : part_(std::move(part)), step_(&step) {
+ProvedPart::ProvedPart(Part part, ProvedStep& step)
+    : part_(std::move(part)), step_(&step), has_formula_(has_formula()) {
     std::vector<int> place(step.table().all().size(), -1);
     int column = 0;
     for (int k = 0; k < coordinates(); ++k) {
@@ -97,13 +98,14 @@ bool ProvedPart::measure_reach(const Anchor& anchor) {
                                step_->target(static_cast<int>(e))[1] * std::abs(step_->h()))
                       : 0.0;
     }
-    return is_within_reach();
+    return is_within_reach(anchor);
 }
 
-bool ProvedPart::is_within_reach() const {
+bool ProvedPart::is_within_reach(const Anchor& anchor) const {
     for (int k = 0; k < coordinates(); ++k) {
         const Coordinates& c = step_->table().all()[at(coordinate(at(k)))];
-        const double reach = c.theta >= 0 ? kReachOfTheta : c.size == 3 ? kReachOfLength : kReachOfP;
+        const double reach =
+            c.theta >= 0 ? kReachOfTheta : anchor.reach * (c.size == 3 ? kReachOfLength : kReachOfP);
         const double distance = distance_[at(k)];
         // negated, so that NaN fails
         if (!(distance <= reach)) { return false; }
@@ -203,7 +205,7 @@ bool ProvedPart::contracts(const Anchor& anchor) {
     const Eigen::Index unknowns = radius_.size();
     for (int n = 0; n < kMostTrials; ++n) {
         for (Eigen::Index u = 0; u < unknowns; ++u) { distance_[at(u)] = reach_[at(u)] + radius_(u); }
-        if (!is_within_reach()) { return false; }
+        if (!is_within_reach(anchor)) { return false; }
         find_bounds(anchor);
         image_.noalias() = K_ * radius_;
         // if a matrix maps a positive vector above itself, it does not map any vector below itself

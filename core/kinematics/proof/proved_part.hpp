@@ -23,6 +23,7 @@ struct Curvature {
 struct Anchor {
     bool is_set = false;
     double t = 0.0;
+    double reach = 1.0;                         ///< share of the largest region
     std::vector<Vec4> centre;                   ///< unknowns, then inputs
     std::vector<double> targets;                ///< per equation: θ of its driver
     std::vector<DerivativeBounds> derivatives;  ///< per equation, scaled
@@ -63,12 +64,14 @@ private:
     }
     bool set_anchor(const StepEnd& end, Anchor& anchor);
     void bound_derivatives(const StepEnd& end, Anchor& anchor) const;
+    bool has_formula() const;
+    void choose_reach(const StepEnd& end, Anchor& anchor) const;
     bool choose_and_invert();
     bool has_same_rank() const;
     bool invert(const StepEnd& end, Anchor& anchor);
     void measure(Anchor& anchor) const;
     bool measure_reach(const Anchor& anchor);
-    bool is_within_reach() const;
+    bool is_within_reach(const Anchor& anchor) const;
     void bound_residuals(Anchor& anchor);
     void add_errors_of_inputs(const Anchor& anchor, VectorX& errors) const;
     void find_bounds(const Anchor& anchor);
@@ -77,6 +80,7 @@ private:
 
     Part part_;
     ProvedStep* step_;
+    bool has_formula_;
     std::vector<int> first_column_;  ///< per unknown, and per input among the inputs
     int input_columns_ = 0;
     std::vector<std::array<int, kBlocks>> places_;  ///< per equation: unknowns, then inputs; -1: none
@@ -111,8 +115,8 @@ private:
     MatrixX K_;
 };
 
-// The region around an anchor in which its bounds hold: a tube that leaves it needs another anchor. A larger
-// region would weaken the bounds of rows that depend on distances.
+// The largest region around an anchor in which its bounds hold: a tube that leaves it needs another anchor. A
+// larger region would weaken the bounds of rows that depend on distances.
 inline constexpr double kReachOfP = 0.3;
 inline constexpr double kReachOfLength = 0.3;  // in extents; for θ: 1 rad, or 1 m for a target
 inline constexpr double kReachOfTheta = 1.0;
