@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// A formula of a few variables that an author writes, as a program.
+/// A formula that an author writes, as a program.
 namespace jw {
 
 /// Step of a formula, for a stack of numbers: it pops its operands and pushes its result.
@@ -46,7 +46,7 @@ struct ScalarFormula {
     std::string source;
     std::vector<FormulaStep> steps;
 
-    /// Value; not finite where the formula has no value.
+    /// Value of a formula of at most two variables; not finite where it has none.
     double at(std::span<const double> variables) const;
     /// Size of the terms that make up the value: the rounding error of the value is relative to this size.
     double size_at(std::span<const double> variables) const;

@@ -11,8 +11,8 @@ class ScaledEquations {
 public:
     ScaledEquations(const System& system, double t)
         : assembler_(system), scaling_(scaling_of<OmegaLocal>(system)), t_(t) {}
-    /// @param weights one per row; if not all equations can be satisfied, one of weight 100 is satisfied a
-    /// hundred times as well
+    /// @param weights one per row; their squares weight the squares of residuals: if not all equations can
+    /// be satisfied, one of weight 100 is off by 10⁻⁴ of the others
     ScaledEquations(const System& system, double t, const VectorX& weights) : ScaledEquations(system, t) {
         if (weights.size() > 0) { scaling_.row = scaling_.row.cwiseQuotient(weights).eval(); }
     }
