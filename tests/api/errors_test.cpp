@@ -19,7 +19,7 @@ Mechanism pair_of_bodies() {
     return m;
 }
 
-// Eigen's own vectors are made of two numbers and abort
+// Eigen's own vectors would accept two numbers, and then abort
 template <class M>
 concept TakesTwoNumbers = requires(M m) {
     m.add_body("a", {0.0, 0.0});

@@ -53,11 +53,11 @@ TEST_CASE("Every name that a mechanism lists is read, and has values in the end"
     const Quantities quantities(m, names);
     CHECK(quantities.names() == names);
     const Table table = quantities.along(simulate_trajectory(m, {0.1, 0.2}));
-    // what has none are rates of sizes that stay 0, and of the ground
+    // only rates of sizes that stay 0, and of the ground, have no value
     CHECK(table.array().isNaN().count() * 4 < table.size());
 }
 
-TEST_CASE("Names that stand for nothing are said", "[api]") {
+TEST_CASE("Unknown names are reported", "[api]") {
     const Mechanism m = swinging_rod();
     CHECK_THROWS_WITH(Quantities(m, {"bob.y", "bobb.x"}), Contains("no quantity 'bobb.x'"));
     CHECK_THROWS_WITH(Quantities(m, {"bob.point.x"}), Contains("leaves its point open"));

@@ -18,7 +18,7 @@ std::string catalogue(const std::string& name) {
 TEST_CASE("The four-bar of the lectures has twenty equations of rank seventeen", "[api]") {
     const Lesson lesson = read_lesson(catalogue("loops/four-bar.toml"));
     const Rank rank = rank_at(lesson.mechanism(), assemble(lesson.mechanism()));
-    // three repeat others, and with its driver no freedom is left
+    // three equations are redundant, and the driver leaves no freedom
     CHECK(rank.redundant == 3);
     CHECK(rank.redundant_rows.size() == 3);
     CHECK(rank.freedoms == rank.free_motions.cols());
@@ -71,11 +71,11 @@ TEST_CASE("A lesson of dynamics moves by its own method and times", "[api]") {
     const std::vector<double> times = lesson.simulation_times();
     CHECK(times.size() == 101);
     CHECK(times.front() == 0.0);
-    CHECK(lesson.simulation().method != Simulation().method);  // it is stiff, and says so
+    CHECK(lesson.simulation().method != Simulation().method);  // the lesson is stiff, and sets its own method
     CHECK(simulate(lesson.mechanism(), {0.0, times.back() / 10.0}, lesson.simulation()).size() == 2);
     const Lesson without = read_lesson(catalogue("loops/four-bar.toml"));
     CHECK(without.simulation_times().empty());
-    // what a lesson does not say is what nobody asks for
+    // settings that a lesson does not give keep their defaults
     CHECK(without.simulation().method == Simulation().method);
     CHECK(
         read_lesson(catalogue("dynamics/simple-pendulum.toml")).simulation().tolerance ==

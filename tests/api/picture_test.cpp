@@ -32,7 +32,7 @@ TEST_CASE("A picture shows the pose that was asked for, and twice the same", "[a
     Pose hanging = start_pose(m);
     hanging.r[1] = {0.0, 0.0, -0.5};
     hanging.p[1] = Vector4(1.0, 0.0, 1.0, 0.0).normalized();
-    // a rod is some percent of the picture: it is gone from one place and has come to another
+    // a rod covers some percent of the picture: it has left one place and has come to another
     CHECK(different(draw(m, hanging, 320, 180), level) > 320 * 180 / 100);
 }
 

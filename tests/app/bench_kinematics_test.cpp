@@ -25,7 +25,7 @@ TEST_CASE("bench --kinematics finds the same moments in every choice of coordina
         CHECK(run["velocity"].get<double>() < 1e-12);
         CHECK(run["acceleration"].get<double>() < 1e-11);
     }
-    // the way that motions are followed goes on to rounding
+    // the method by which motions are followed iterates down to rounding
     const auto& graph = json["scenes"][0]["runs"].back();
     CHECK(graph["coordinates"] == "graph");
     CHECK(graph["position"].get<double>() < 1e-14);

@@ -29,7 +29,7 @@ struct Lessons : Folder {
     std::string claimless;
 };
 
-/// Attributes and text with nothing in them that XML forbids, tags that close in the order they open.
+/// True if attributes and text have nothing that XML forbids, and every tag is closed in the right order.
 bool is_well_formed(const std::string& xml) {
     static const std::regex tag("<(/?)([a-z]+)((?: [a-z]+=\"[^\"<]*\")*)(/?)>");
     static const std::regex entity("&(amp|lt|gt|quot|#[0-9]+);");

@@ -16,7 +16,7 @@ const std::vector<std::string> kCommands{
     "step",   "inspect",    "try",  "newton", "solve",   "simulate", "bench", "plot",  "render",
     "doctor", "completion", "rest", "manual", "export",  "snapshot", "site"};
 
-/// A command that can write JSON, with what it needs besides its format.
+/// A command that can write JSON, with its arguments besides the format.
 std::vector<std::vector<std::string>> commands_with_json(const std::string& driven) {
     const std::string pendulum = lesson_path("dynamics/simple-pendulum.toml");
     return {{"step", driven},     {"inspect", driven},
@@ -197,7 +197,7 @@ TEST_CASE("what cannot be closed is status 3 and says which row, when, how far a
     const Ran told = run({"step", file});
     CHECK(told.status == 3);
     CHECK(told.out.find("Joint rod cannot be closed. The last good pose is kept.") != std::string::npos);
-    // nothing needs to close for a look at the state as it is
+    // the state as given can be inspected although a joint cannot be closed
     CHECK(run({"inspect", file, "--as-given"}).status == 0);
 }
 
@@ -243,7 +243,7 @@ TEST_CASE("a time far outside the motion is said to be that, and how far it went
         far.err,
         Catch::Contains(": t = 1e+08 s lies far outside the lesson's motion, which goes from 0 s to 4 s. The "
                         "motion can be followed as far as "));
-    // up to a motion's length outside it goes on as within
+    // up to its own length beyond its ends the motion goes on as within
     CHECK(run({"inspect", file, "--time", "7.9"}).status == 0);
 }
 

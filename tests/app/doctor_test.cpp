@@ -26,7 +26,7 @@ render::Image changed(render::Image picture, const std::function<void(std::uint8
     return picture;
 }
 
-/// A picture of one colour but for paper in the corners.
+/// The test picture as it is drawn on this machine.
 render::Image test_picture() {
     static const render::Image picture = [] {
         const render::Offscreen offscreen(kTestWidth, kTestHeight);
@@ -90,7 +90,7 @@ TEST_CASE("a folder without fonts takes none away from those of the system", "[a
                         "' is damaged: it is not a TrueType or OpenType font; replace the file, or take its "
                         "folder out of JOINTWISE_FONTS (package fonts-lmodern)"));
     CHECK_THAT(broken.out, Catch::Contains("\nsomething needed is damaged"));
-    // nothing to install: it is there
+    // nothing needs to be installed: the file exists
     CHECK(broken.out.find("apt-get install") == std::string::npos);
     const auto fonts = nlohmann::json::parse(broken_json.out)["fonts"];
     CHECK(fonts[3]["state"] == "damaged");
@@ -141,7 +141,7 @@ TEST_CASE("a surface that does not load is status 2, one that draws wrong is sta
         "  offscreen: unset MESA_GL_VERSION_OVERRIDE");
     surface.state = Outcome::draws_wrong;
     CHECK(exit_of(diagnosis) == Exit::numerics);
-    // a screen that is not there is no fault
+    // a missing screen is not a fault
     surface.state = Outcome::absent;
     CHECK(exit_of(diagnosis) == Exit::done);
 }

@@ -36,7 +36,7 @@ struct Shown {
     SeriesSet set;
 };
 
-/// A number of `simulate` is that number wherever it is shown: no tolerance.
+/// Checks that a number of `simulate` is the same wherever it is shown, without tolerance.
 void check_agreement(const Lesson& lesson) {
     const Shown shown(lesson);
     REQUIRE(shown.table.failure.empty());
@@ -116,7 +116,7 @@ TEST_CASE("a claim about dynamics that is wrong, or has no number, is not proved
     };
     const Ran wrong = checked("quantity = \"energy.sum\"\nvalue = 20\ntolerance = 0.1\n");
     CHECK(wrong.status == 1);
-    // out of its plane the four-bar braces itself
+    // out of its plane the reactions of the four-bar are not unique
     const Ran open = checked("quantity = \"pin 0.force.z\"\nvalue = 0\ntolerance = 1\n");
     CHECK(open.status == 1);
     CHECK(open.out.find("not unique") != std::string::npos);
@@ -243,7 +243,7 @@ stiffness = 194
         words.insert(words.end(), options.begin(), options.end());
         return run(words);
     };
-    // what was asked for is not changed
+    // coordinates that were asked for are not replaced
     const Ran joints = ran({"--coordinates", "joints"});
     CHECK(joints.status == 3);
     CHECK(joints.err.find("'--coordinates bodies' computes them in another way") != std::string::npos);
@@ -255,7 +255,7 @@ stiffness = 194
     const auto rows = nlohmann::json::parse(taken.out)["rows"];
     const auto others = nlohmann::json::parse(bodies.out)["rows"];
     REQUIRE(rows.size() == 11);
-    // accelerations of the joints were proved to 1e-8 until then; it grows to 1e-5
+    // until then accelerations of the joints were proved to 1e-8; the error grows to 1e-5
     for (std::size_t k = 1; k < 8; ++k) {
         CHECK(rows.back()[k].get<double>() == Approx(others.back()[k].get<double>()).margin(1e-4));
     }

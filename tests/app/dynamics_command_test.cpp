@@ -140,7 +140,7 @@ TEST_CASE("simulate --reactions marks every number that other answers share", "[
         CHECK(row[column(joint + ".force.unique.z")] == 0.0);
         CHECK(row[column(joint + ".torque.unique.x")] == 0.0);
     }
-    // what was there before stands where it stood
+    // columns that existed before keep their places
     CHECK(column(joint + ".force.unique.x") > column(joint + ".torque.z"));
     CHECK(columns.back().find(".torque.unique.z") != std::string::npos);
 }
@@ -171,7 +171,7 @@ TEST_CASE("A spring wound up by more than a turn swings as its formula says", "[
             const double frequency = 2.0;  // root of 6 / 1.5
             for (const auto& row : json["rows"]) {
                 const double t = row[0].get<double>();
-                // hundreds of steps of 1e-10, by the size of the motion
+                // hundreds of steps with errors of 1e-10, relative to the size of the motion
                 const double allowed = 1e-7 * std::abs(way);
                 CHECK(
                     row[column("wheel.omega_local.z")].get<double>() ==
@@ -291,7 +291,7 @@ TEST_CASE(
     const Ran plotted = run({"plot", file, "--out", folder.path("plot.csv")});
     CHECK(plotted.status == 3);
     CHECK(plotted.err.find("cannot be satisfied there") != std::string::npos);
-    // along the rod, where it begins, no acceleration of the ball at rest meets the motor's
+    // at the start the motor acts along the rod: no acceleration of the ball at rest satisfies it
     text.replace(text.find("coordinate = \"y\""), 16, "coordinate = \"x\"");
     text.replace(text.find("[0, 0.5, 1]"), 11, "[-1, 0, 1]");
     const Ran refused = run({"simulate", folder.file("along.toml", text)});
@@ -305,7 +305,7 @@ TEST_CASE(
 TEST_CASE("simulate says which start velocities it could not keep", "[app][dynamics]") {
     const Folder folder;
     std::string text = bytes_of(kPendulum);
-    // towards the hinge, where the rod does not let it
+    // towards the hinge, which the rod does not allow
     text.replace(
         text.find("mass = 1 "), 9, "omega_local_rad_per_s = [0, 0, 10]\nvelocity = [3, 0, 0]\nmass = 1 ");
     const Ran ran = run({"simulate", folder.file("spun.toml", text), "--duration", "0.1"});

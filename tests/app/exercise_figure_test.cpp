@@ -116,7 +116,7 @@ TEST_CASE("a lesson that cannot close has the figure of its file", "[app][figure
     ExerciseFigures figures(kFigureTestWidth, kFigureTestHeight);
     const Lesson open = lesson_named("hard/cannot-close");
     CHECK(figures.png_of(open, false) == figures.png_of(open, true));
-    // one that closes after it has moved does not look as it was given
+    // a mechanism that moves in order to close does not look as it was given
     const Lesson closes = lesson_named("loops/four-bar");
     CHECK(figures.png_of(closes, false) != figures.png_of(closes, true));
 }

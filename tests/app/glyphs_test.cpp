@@ -30,7 +30,7 @@ TEST_CASE("every character of every shipped text has a glyph", "[app][glyphs]") 
         check(file.string(), read_exercise_file(file).texts);
     }
     check(kCourseFile, read_course_of(catalogue_folder()).texts);
-    // all at once: the fonts are looked through for each question
+    // all messages at once, because every check searches all fonts
     std::string messages;
     for (const Language& language : languages()) {
         for (std::size_t k = 1; k < language.messages.size(); ++k) {

@@ -12,7 +12,7 @@
 namespace jw::test {
 namespace {
 
-/// Those with golden snapshots, as ./dev golden names them.
+/// Lessons with golden snapshots, as ./dev golden names them.
 constexpr std::array kLessons{
     "loops/four-bar.toml", "loops/bennett.toml", "parallel/which-two-of-three.toml", "joints/screw.toml",
     "joints/universal.toml"};
@@ -64,7 +64,7 @@ TEST_CASE("lessons show what they did when their golden snapshots were looked at
 }
 
 TEST_CASE("golden snapshots have the look of now, so that their colours count", "[app][golden]") {
-    // `./dev golden REASON` blesses them; fonts and renderer are those of a machine
+    // `./dev golden REASON` blesses them; fonts and renderer depend on the machine
     const host::Environment now = host::environment("", {});
     int records = 0;
     for (const char* const folder : {"tests/golden/lessons", "docs/snapshots/template/golden"}) {
@@ -78,7 +78,7 @@ TEST_CASE("golden snapshots have the look of now, so that their colours count", 
             ++records;
         }
     }
-    // no fewer than were there when this was written: 7 of ours, 6 of the template
+    // at least as many as when this was written: 7 of the project, 6 of the template
     CHECK(records >= 13);
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("a golden window notices a shift by one pixel and another digit", "[ap
     render::Image shifted = golden;
     std::rotate(shifted.rgb.begin(), shifted.rgb.begin() + 3, shifted.rgb.end());
     CHECK_FALSE(broken_rule_of(golden, shifted).empty());
-    // as many pixels as a digit has ink
+    // as many pixels as a digit covers
     render::Image other = golden;
     for (std::size_t row = 100; row < 108; ++row) {
         const std::size_t pixel = row * static_cast<std::size_t>(golden.width) + 100;

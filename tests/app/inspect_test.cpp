@@ -277,7 +277,7 @@ TEST_CASE("step, inspect and try have one verdict on each free motion", "[app][i
     const Ran told = run({"inspect", lesson_path("hard/two-ways-on.toml")});
     CHECK_THAT(
         told.out, Catch::Contains("to first order only · coupler: ω′y 0.5; rocker: ω′y 1; violates D by"));
-    // a matrix of a pose that is not assembled says nothing of motions
+    // the matrix of a pose that is not assembled says nothing about motions
     const json given = told_by({"inspect", lesson_path("loops/rssr.toml"), "--as-given", "--format", "json"});
     REQUIRE(given["rank"]["free_motions"].size() == 1);
     for (const json& motion : given["rank"]["free_motions"]) { CHECK(motion["judgement"].is_null()); }

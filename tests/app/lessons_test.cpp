@@ -40,10 +40,10 @@ TEST_CASE(
         REQUIRE(read.lesson.has_value());
         const Lesson& lesson = *read.lesson;
         CHECK_FALSE(lesson.questions.empty());
-        // that a trial does what it says is proved by `check`
+        // `check` proves that a trial does what it says
         const auto breaking = std::ranges::count_if(lesson.trials, &Trial::breaks);
         CHECK(std::ssize(lesson.trials) > breaking);
-        // nothing holds a body without joints, so nothing can be broken
+        // a body without joints has no equations that can be broken
         CHECK((breaking > 0 || lesson.mechanism.joints.empty()));
         // two lines, with a line feed between them
         const std::string& summary = lesson.summary.own();

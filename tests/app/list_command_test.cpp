@@ -49,7 +49,7 @@ TEST_CASE("list that finds nothing is status 1 and says for which words", "[app]
     const Ran json = run({"list", folder.path(), "slide", "6", "--format", "json"});
     CHECK(json.status == 1);
     CHECK(nlohmann::json::parse(json.out)["lessons"].empty());
-    // what looks like a path is none of the words
+    // an argument that looks like a path is not a word to search for
     CHECK(run({"list", folder.path("nowhere")}).status == 2);
 }
 

@@ -95,7 +95,7 @@ TEST_CASE("docs/map.md has a row for every slide", "[app][docs]") {
     for (int k = 0; k < kSlides; ++k) {
         const Row& row = rows[static_cast<std::size_t>(k)];
         CHECK(row.slide == k + 1);
-        // the first one is the title
+        // the first slide is the title
         CHECK((k == 0 || (!row.lessons.empty() && !row.code.empty() && !row.tests.empty())));
     }
 }

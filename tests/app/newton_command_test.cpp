@@ -36,7 +36,7 @@ TEST_CASE("the first numbers of all methods are those of one and the same start"
         CHECK(one.at("converged") == true);
         CHECK(one.at("iterates")[0].at("phi_norm") == runs[0].at("iterates")[0].at("phi_norm"));
     }
-    // quadratic next to a regular solution; measured of three residuals only
+    // quadratic near a regular solution; measured from three residuals only
     CHECK(runs[1].at("order").get<double>() == Approx(2.0).margin(0.2));
 }
 

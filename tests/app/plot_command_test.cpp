@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<std::string> kTopics{"quantities", "residuals", "singular-values", "conditions"};
 
-/// Pixels that are not the paper of the first one.
+/// Number of pixels that differ from the first one, which is paper.
 int marked(const render::Image& image) {
     int count = 0;
     for (int y = 0; y < image.height; ++y) {

@@ -138,7 +138,7 @@ TEST_CASE("Claims at rest are judged at the equilibrium, with its reactions", "[
     CHECK(checked(free, "quantity = \"pin.force.z\"\nvalue = 9.82\ntolerance = 1e-9\n", "").status == 1);
     CHECK(checked(free, "rank = 5\ndof = 1\nresidual_below = 1e-12\n", "").status == 0);
 
-    // a motor holds the rod level; behind a first driver that is taken out it is still the same
+    // a motor holds the rod level, also if a driver before it is taken out
     const auto motor = [](const std::string& name, const std::string& deg) {
         return "\n[[driver]]\nname = \"" + name +
                "\"\njoint = \"pin\"\nquantity = \"angle\"\npolynomial_deg = [" + deg + "]\n";

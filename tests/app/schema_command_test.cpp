@@ -55,7 +55,7 @@ TEST_CASE(
         const std::string path = page["path"];
         CAPTURE(path);
         CHECK(("\n" + list).find('\n' + path + "  ") != std::string::npos);
-        // from table to table along the path, without what wrote it
+        // follows the path from table to table, independently of the code that wrote it
         const KeyTable* table = &key_tables().front();
         std::istringstream names(path == "lesson" ? "" : path);
         for (std::string name; std::getline(names, name, '.');) {
@@ -84,7 +84,7 @@ TEST_CASE(
 
 TEST_CASE("keys takes a table as it stands in a file, and names the one that was meant", "[app][schema]") {
     CHECK(run({"keys", "[[body.shape]]"}).out == run({"keys", "body.shape"}).out);
-    // a table that has its first place elsewhere
+    // a table that is first listed elsewhere
     CHECK(run({"keys", "torque.table"}).out.starts_with("[torque.table]: values at given times\n"));
     CHECK(
         run({"keys", "torque"}).out.find("table [torque.table], with the keys of [force.table]") !=

@@ -108,7 +108,7 @@ TEST_CASE("an under-driven scene says that its velocities are not unique", "[app
     CHECK(json["rows"][0]["unique"] == false);
     CHECK(json["rows"][0]["consistent"] == true);
     CHECK(ran.err.find("not everything is driven") != std::string::npos);
-    // nearest to the velocities before: the spin goes on
+    // the solution nearest to the velocities before: the spin goes on
     const auto& values = json["rows"][1]["values"];
     CHECK(std::abs(values[13].get<double>() - 2.0) < 1e-12);
 }
@@ -132,7 +132,7 @@ TEST_CASE("rows that contradict each other are reported, never hidden", "[app][s
     CHECK(ran.status == 0);
     CHECK(nlohmann::json::parse(ran.out)["rows"][0]["consistent"] == false);
     CHECK(ran.err.find("equations contradict each other") != std::string::npos);
-    // later not even a pose exists: what was found is kept, and the reason said
+    // later not even a pose exists: the rows found before are kept, and the reason is printed
     const Ran later = run({"solve", file, "--to", "1", "--step", "0.5"});
     CHECK(later.status == 3);
     CHECK(later.out.find("\n0,") != std::string::npos);
@@ -150,7 +150,7 @@ TEST_CASE("solve names both drivers that contradict each other, when, and by how
         const char* function;
         const char* said;
     };
-    // the crank is driven with 90 deg/s from 0: at first the angles agree to what Newton cannot tell apart
+    // the crank is driven with 90 deg/s from 0: at first the angles differ by less than Newton's tolerance
     for (const Case& c :
          {Case{"[0, 91]", "other asks for 9.1°, but"}, Case{"[0, 90, 1]", "contradict each other at t = "},
           Case{"[5, 90]", "other asks for 5°, but"}}) {
@@ -207,7 +207,7 @@ step = { from_deg = 0, to_deg = 1080, start_s = 0, end_s = 6 }
         CHECK(std::stod(last) == Approx(6.0 * std::numbers::pi).epsilon(1e-9));
         const auto steps = nlohmann::json::parse(run({"step", file, "--format", "json"}).out)["steps"];
         CHECK(steps.back()["quantities"][0]["value"] == Approx(1080.0).epsilon(1e-9));
-        // 0 is another angle after a motion, and the same pose without one
+        // after a motion 0 is another angle; without a motion 360 deg is the same pose
         const std::string wrong = folder.file("wrong.toml", hinge + motion + claimed("at_s = 8", "0"));
         CHECK(run({"check", wrong}).status == 1);
         const std::string pose = folder.file("pose.toml", hinge + motion + claimed("as_given = true", "360"));
@@ -217,7 +217,7 @@ step = { from_deg = 0, to_deg = 1080, start_s = 0, end_s = 6 }
 
 TEST_CASE("solve says once for each change point that it is passed along the tangent", "[app][solve]") {
     const std::string file = lesson_path("loops/parallelogram.toml");
-    // change points at 1.5 s and 3.5 s, at a time of the table, between two of them, and not reached
+    // change points at 1.5 s and 3.5 s: at a time of the table, between two times, and not reached
     const auto said = [&](const std::string& from, const std::string& to, const std::string& step) {
         const Ran ran = run({"solve", file, "--from", from, "--to", to, "--step", step});
         REQUIRE(ran.status == 0);
@@ -307,7 +307,7 @@ duration = 1
         REQUIRE(ran.status == 0);
         return cell(ran, 0, "low.force.z");
     };
-    // two hinges share the weight, and nothing says how
+    // two hinges share the weight, and the equations do not determine how
     CHECK(reaction({}).empty());
     CHECK(std::stod(reaction({"--try", "take out high"})) == Approx(98.1));
 }

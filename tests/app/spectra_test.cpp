@@ -75,7 +75,7 @@ TEST_CASE("The spectra of the steps of every lesson equal those of a long double
                 // a few roundings of the largest value
                 CHECK(off_by(svd.sigma, exact) <= 1e-14 * std::sqrt(double(jacobian.cols())) * exact(0));
 
-                // the check is what finds a wrong decomposition, whoever made it
+                // the check finds a wrong decomposition, whichever method made it
                 const Svd other = by_eigen(jacobian);
                 const bool wrong = off_by(other.sigma, exact) > 1e-11 * exact(0);
                 CHECK(off_by(other.sigma, exact) <= other.error);
@@ -104,8 +104,8 @@ TEST_CASE("The rank at the steps of every lesson is that of a long double Jacobi
             CHECK(off_by(report.singular_values, exact) <= report.singular_value_error);
             CHECK(
                 std::ranges::count_if(exact, [&](double s) { return s > report.threshold; }) == report.rank);
-            // only a change point can leave the rank open: there the pose is known to a root of its residual;
-            // an answer repeats the pose of the step before it, which may be one
+            // the rank can be undecided only at a change point, where the error of the pose is the root of
+            // its residual; an answer repeats the pose of the step before it, which may be a change point
             const bool repeats_change_point = is_asked(step.kind) && story.steps()[k - 1].change_point;
             CHECK((report.decided || step.change_point || repeats_change_point));
             CHECK((doubts_of(*step.system, report).empty() || !report.decided));

@@ -63,7 +63,7 @@ TEST_CASE("a story goes from the bodies joint by joint over the drivers to the m
         last = step.kind;
     }
     CHECK(additions == static_cast<int>(lesson.order.size()));
-    // the lesson asks about the motion
+    // the lesson ends with a question about the motion
     CHECK(last == Step::Kind::answer);
     CHECK(story.failure() == nullptr);
 }

@@ -28,8 +28,8 @@ host::FrameLook in_tiles(host::FrameLook look, int width) {
     return look;
 }
 
-/// Edges are rounded to 1/256 of a pixel from the corner of the tile, so a few pixels change sides: of 720p
-/// less than one in 5000. A seam, or a tile out of place by a pixel, is a line of them.
+/// Checks that pictures agree up to edges rounded to 1/256 of a pixel in each tile: in 720p less than one
+/// pixel in 5000 differs. A seam, or a tile shifted by a pixel, is a whole line of them.
 void check_alike(const render::Image& whole, const render::Image& tiled) {
     REQUIRE(tiled.width == whole.width);
     REQUIRE(tiled.height == whole.height);
@@ -52,7 +52,7 @@ TEST_CASE("a frame that is drawn in tiles is the frame that is drawn at once", "
             check_alike(painted(story, {}, 1280, 720), painted(story, in_tiles({}, tile), 1280, 720));
         }
     }
-    // the check would notice a neighbour
+    // the check notices a shift by one pixel
     const Lesson lesson = lesson_of("loops/four-bar.toml");
     const Story story(lesson);
     const render::Image at_once = painted(story, {}, 1280, 720);

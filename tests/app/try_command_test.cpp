@@ -57,7 +57,7 @@ TEST_CASE("The experiments told one by one are those told at once", "[app][try]"
                       [&](const ExperimentGroup& group) { pieces += text->group(group); }});
         pieces += text->rest(all);
         CHECK(pieces == describe(all, lesson));
-        // the motion has no part in what can be tried where everything is put together
+        // the motion does not change what can be tried at the step where everything is assembled
         Session whole(lesson);
         whole.apply(GoTo{whole.story().last_assembled()});
         CHECK(describe(possible_experiments_of(whole), lesson) == pieces);

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 15> kRender{
     "EGL/",        "cairo",      "render/",      "Eigen/",    "GL/glcorearb.h",
     "GL/osmesa.h", "ft2build.h", "libdeflate.h", "gif_lib.h", "stb_image",
     "imgui.h",     "fcntl.h",    "unistd.h",     "dlfcn.h",   "sys/mman.h"};
-// of render only plain values: what there is to draw and from where it is looked at
+// from render/ only plain values: the scene, the camera, framing and colours
 constexpr std::array<std::string_view, 11> kSession{
     "app/session/",
     "app/languages/",
@@ -37,7 +37,7 @@ constexpr std::array<std::string_view, 11> kSession{
     "render/scene/framing.hpp",
     "render/scene/palette.hpp",
     "nlohmann/"};
-// of render what one needs to set text and to find a point on the picture
+// from render/ only fonts and colours, to set text, and the camera, to find a point in the picture
 constexpr std::array<std::string_view, 10> kPanels{
     "app/panels/",
     "app/session/",
@@ -50,29 +50,29 @@ constexpr std::array<std::string_view, 10> kPanels{
     "imgui.h",
     "render/scene/palette.hpp"};
 
-// the interface knows no window and no command; exercises are practised in it, and know nothing of it
+// the interface includes neither the window nor commands; it includes the exercises, which do not include it
 constexpr std::array<std::string_view, 14> kHost{
     "app/host/", "app/panels/", "app/session/", "app/exercises/", "core/",      "lessons/",   "render/",
     "Eigen/",    "imgui.h",     "sha256.h",     "fcntl.h",        "sys/file.h", "sys/stat.h", "unistd.h"};
 
-// programs of students: the system alone
+// runs programs of students: headers of the system alone
 constexpr std::array<std::string_view, 14> kRun{
     "app/exercises/run/", "dirent.h", "fcntl.h",  "linux/",  "poll.h", "pwd.h", "sched.h",
     "signal.h",           "sys/",     "unistd.h", "spawn.h", "time.h", "grp.h", "elf.h"};
 constexpr std::array<std::string_view, 10> kExercises{"app/exercises/", "app/session/", "core/",   "lessons/",
                                                       "Eigen/",         "nlohmann/",    "fcntl.h", "poll.h",
                                                       "sys/",           "unistd.h"};
-// scenes for other programs: of render its shapes
+// scenes for other programs: from render/ the shapes
 constexpr std::array<std::string_view, 6> kExport{"app/export/", "app/session/", "core/",
                                                   "lessons/",    "render/",      "Eigen/"};
-// frames are drawn by the host; nothing else of the interface is known
+// frames are drawn by app/host/frames/; nothing else of the interface is included
 constexpr std::array<std::string_view, 7> kSnapshot{
     "app/snapshot/", "app/host/frames/", "app/session/", "core/", "lessons/", "render/", "Eigen/"};
-// the same, and programs that it starts
+// the same, and headers of the system to start programs
 constexpr std::array<std::string_view, 11> kFilm{
     "app/film/", "app/host/frames/", "app/session/", "core/", "lessons/", "render/",
     "Eigen/",    "fcntl.h",          "spawn.h",      "sys/",  "unistd.h"};
-// pages around the lessons: pictures are frames, places are addresses
+// pages around the lessons: app/host/frames/ draws the pictures, app/host/lesson/ has the addresses
 constexpr std::array<std::string_view, 8> kSite{
     "app/site/", "app/host/frames/", "app/host/lesson/", "app/session/",
     "core/",     "lessons/",         "render/",          "Eigen/"};
@@ -80,16 +80,16 @@ constexpr std::array<std::string_view, 8> kSite{
 constexpr std::array<std::string_view, 7> kWeb{"app/web/", "app/host/", "app/session/", "lessons/",
                                                "render/",  "imgui.h",   "emscripten/"};
 
-// what other programs see shows nothing of what is behind it
+// headers that other programs include show nothing of the implementation
 constexpr std::array<std::string_view, 2> kHeadersOfLibrary{"jointwise/", "Eigen/"};
 constexpr std::array<std::string_view, 9> kLibrary{"library/",  "jointwise/",       "core/",
                                                    "lessons/",  "render/",          "app/session/",
                                                    "app/film/", "app/host/frames/", "Eigen/"};
 
-// the module is thin: of the project it knows what other programs know
+// the Python module is thin: of the project it includes only the headers for other programs
 constexpr std::array<std::string_view, 3> kPython{"app/python/", "jointwise/", "pybind11/"};
 
-// the first folder that fits counts
+// the first folder that a path begins with counts
 constexpr std::array kFolders{
     FolderRule{"core/", kCore},
     FolderRule{"lessons/", kLessons},
@@ -108,7 +108,7 @@ constexpr std::array kFolders{
     FolderRule{"app/exercises/run/", kRun},
     FolderRule{"app/exercises/", kExercises}};
 
-/// Rooms from the bottom up: each knows itself and those before it.
+/// Rooms from the bottom up: each may include files of itself and of those before it.
 constexpr std::array kRooms = std::to_array<std::string_view>({
     "core/elementary/",
     "core/eigen/",
@@ -185,7 +185,7 @@ std::optional<std::size_t> room_of(std::string_view path) {
     return found;
 }
 
-/// A library that only a few files may know, so that it can be replaced there.
+/// A library that only a few files may include, so that it can be replaced there.
 struct LibraryRule {
     std::string_view library;
     std::string_view known_to;  ///< regular expression over paths
@@ -232,7 +232,7 @@ std::optional<std::string> included_by(const std::string& line) {
 std::optional<std::string> objection(std::string_view path, std::string_view name) {
     if (is_standard(name)) { return std::nullopt; }
 
-    // a library behind its own file
+    // a library may be included only by the files of its rule
     for (const LibraryRule& rule : kLibraries) {
         const std::regex known_to{std::string(rule.known_to)};
         if (covers(rule.library, name) && !std::regex_match(path.begin(), path.end(), known_to)) {
@@ -249,7 +249,7 @@ std::optional<std::string> objection(std::string_view path, std::string_view nam
         kFoldersOfRooms, [path](std::string_view folder) { return path.starts_with(folder); });
     if (in_rooms && !room) { return "every file of this folder belongs to one of its rooms"; }
 
-    // a folder knows only those below it
+    // a file may include only the headers that the rule of its folder allows
     const auto folder =
         std::ranges::find_if(kFolders, [&](const FolderRule& rule) { return path.starts_with(rule.folder); });
     if (folder == kFolders.end()) { return std::nullopt; }

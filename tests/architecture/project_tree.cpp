@@ -24,7 +24,7 @@ void append(std::vector<SourceFile>& files, const fs::directory_entry& entry) {
 std::vector<SourceFile> read_project() {
     std::vector<SourceFile> files;
     for (const auto& entry : fs::directory_iterator(JW_SOURCE_ROOT)) {
-        // a file in a second working tree of git, and no part of the project
+        // .git, a file in a second working tree of git, is not part of the project
         if (entry.path().filename() != ".git") { append(files, entry); }
     }
     for (const char* folder : kFolders) {

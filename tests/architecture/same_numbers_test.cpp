@@ -23,15 +23,15 @@ const std::string kFunctions =
     "(a?(sin|cos|tan)h?|atan2|sincos|exp|exp2|expm1|log|log2|log10|log1p|pow|hypot|cbrt|erfc?|[lt]gamma|fma|"
     "lerp)f?";
 
-/// Those of a library: with its name, or with none. Functions of jets have none either, where these are
-/// defined.
+/// Calls of these functions in a library: qualified or not. Where functions of jets are defined, unqualified
+/// calls are calls of those.
 const std::regex of_a_library("((^|[^\\w:.>])|std::|[^\\w]::|Eigen::numext::)" + kFunctions + "\\(");
 const std::regex of_a_library_by_name("(std::|[^\\w]::)" + kFunctions + "\\(");
-/// Random numbers are other ones in each library, long double has other digits, and turns of Eigen ask for
-/// sines.
+/// Distributions of random numbers differ between libraries, the digits of long double between machines, and
+/// AngleAxis of Eigen calls sines of the library.
 const std::regex of_a_machine("std::\\w+_distribution\\b|\\blong double\\b|\\bAngleAxis");
 
-/// The line without what it says and quotes.
+/// The line without comments and without the contents of string literals.
 std::string code_of(const std::string& line) {
     static const std::regex quoted(R"re("([^"\\]|\\.)*")re");
     const std::string code = std::regex_replace(line, quoted, "\"\"");

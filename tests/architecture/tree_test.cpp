@@ -10,7 +10,7 @@
 namespace jw::architecture {
 namespace {
 
-/// Every line of the project that `pattern` is found in, as "path:line: text".
+/// Lines of the project in which `pattern` is found, as "path:line: text".
 std::vector<std::string> lines_with(const std::regex& pattern) {
     std::vector<std::string> found;
     for (const SourceFile& file : project_files()) {
@@ -22,16 +22,16 @@ std::vector<std::string> lines_with(const std::regex& pattern) {
     return found;
 }
 
-// a path begins where no path goes on: "a/work" and "$root/build" are none
+// only where a path begins: "a/work" and "$root/build" are not matched
 const std::regex machine_path(R"re((^|[^A-Za-z0-9_.)}/-])/(work|root|home)(/|["'`\s]|$))re");
-// in two halves, or this line would be found
+// in two halves, because this line would be found otherwise
 const std::regex unfinished(
     "\\b(TO"
     "DO|FIX"
     "ME|HA"
     "CK)\\b");
 
-/// "revolute|planar|..."; without words that are more than the name of a joint where `of_joints_only`.
+/// Names of joint types as "revolute|planar|..."; if `of_joints_only`, without words with other meanings.
 std::string joint_names(bool of_joints_only) {
     std::string names;
     for (const JointType& type : kJointTypes) {
@@ -46,7 +46,7 @@ std::string joint_names(bool of_joints_only) {
 }
 
 bool is_shipped(const SourceFile& file) {
-    // what stands in docs uses the library
+    // programs in docs/ use the library
     const bool uses_it = file.path.starts_with("tests/") || file.path.starts_with("docs/");
     return is_cpp(file) && !uses_it && file.path != "core/model/joint_types.hpp";
 }

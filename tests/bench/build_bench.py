@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a newcomer, a contributor and CI wait for: builds of this commit and of an earlier one in fresh clones, on the same
+"""Times that a newcomer, a contributor and CI wait for: builds of this commit and of an earlier one in fresh clones, on the same
 machine in the same run, and the table of docs/build.md. build_bench.py ROOT [--against COMMIT] [STEP...]; packages are
 installed before. Rows of steps that are not named stay as they are."""
 
@@ -20,7 +20,7 @@ BEGIN, END = "<!-- table: written by ./dev bench build -->", "<!-- table: end --
 
 
 def edit(source):
-    """A command that changes one source and tells a lesson with the program that has it."""
+    """A command that changes one source and runs a lesson with the program that is built from it."""
     return f"echo '// edited' >> {source} && ./dev run step {FOUR_BAR} > step.txt"
 
 

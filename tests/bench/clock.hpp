@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ctime>
 
-/// Time of the processor, for what is measured by hand.
+/// Processor time, for measurements by hand.
 namespace jw {
 
 inline double cpu_microseconds() {
@@ -12,7 +12,7 @@ inline double cpu_microseconds() {
     return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-/// The least of several rounds: whatever else the machine does only adds to it.
+/// Least time of several rounds: other work of the machine can only add to it.
 template <class F>
 double least_time(F&& f) {
     double least = 1e300;

@@ -28,7 +28,7 @@ double peak_flops_per_microsecond() {
             constexpr std::size_t lanes = sizeof(Register) / sizeof(double);
             const Register factor = Register{} + (1.0 + 1e-9);
             const Register term = Register{} + 1e-9;
-            // as many as the registers hold, and as no product waits for the one before it
+            // few enough for the registers, and so many that no product waits for the one before it
             Register products[6];
             Register sums[6];
             for (int k = 0; k < 6; ++k) { products[k] = sums[k] = Register{} + (1.0 + k); }

@@ -46,7 +46,7 @@ std::string chain(int bodies) {
     return text + rest("j0", "j" + std::to_string(bodies - 1), bodies);
 }
 
-/// Parallelograms side by side: posts on the ground, rungs on their ends; every loop repeats three equations.
+/// Parallelograms side by side: posts on the ground, rungs on top; every loop has three redundant equations.
 std::string ladder(int bodies) {
     const int rungs = (bodies - 1) / 2;  // and one post more
     std::string text = "format = 1\ntitle = 'ladder'\n";
@@ -104,7 +104,7 @@ constexpr std::array kBodies{10, 20, 50, 100, 200, 500};
 double milliseconds(const Command& command, const Lesson& lesson) {
     double least = 1e300;
     double all = 0.0;
-    // whatever else the machine does only adds to it
+    // other work of the machine can only add to the time
     for (int round = 0; round < 5 && all < 1e6; ++round) {
         const double start = cpu_microseconds();
         command.run(lesson);

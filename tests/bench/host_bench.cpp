@@ -42,7 +42,7 @@ Size size_of(const Story& story) {
     return {static_cast<int>(system.moving_bodies().size()), system.rows()};
 }
 
-/// The lesson with the largest matrix, of those that can be told to the end.
+/// The lesson with the largest matrix, of those whose story runs to the end.
 std::filesystem::path largest_lesson() {
     std::filesystem::path largest;
     int most = 0;
@@ -78,7 +78,7 @@ void print_frames_at_rest(const std::filesystem::path& lesson) {
     }
 }
 
-/// Every step once by a key: the view, the panels and the picture's parts are made anew.
+/// Prints times of steps, each taken once by a key: view, panels and the picture's parts are made again.
 void print_steps(const std::filesystem::path& lesson) {
     constexpr const char* kNames[] = {"bodies", "equations", "iteration", "assembled", "failed", "motion"};
     struct Sum {
@@ -113,7 +113,7 @@ void print_steps(const std::filesystem::path& lesson) {
     }
 }
 
-/// A body is led round a circle, after everything but the drivers is put together.
+/// Prints times of pulling a body round a circle, after everything but the drivers is assembled.
 void print_pulls(const std::filesystem::path& lesson) {
     constexpr int kPulls = 400;
     const ReadResult read = read_lesson_file(lesson);

@@ -51,7 +51,7 @@ TEMPLATE_TEST_CASE(
             int iterations = 0;
             while (!stepper.outcome()) {
                 const long allocations = allocations_of([&] { stepper.step(); });
-                // the very first step of a stepper may still size its work space
+                // the first step of a stepper may still allocate its work space
                 if (seed > 1 || iterations > 0) { CHECK(allocations == 0); }
                 ++iterations;
             }

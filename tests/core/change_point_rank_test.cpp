@@ -4,7 +4,7 @@
 
 #include "tests/support/scenes.hpp"
 
-/// Rank near the poses where it changes, and at poses that are assembled only so well.
+/// Rank near the poses where it changes, and at poses that are assembled with limited accuracy.
 using namespace jw;
 using test::kPi;
 
@@ -74,7 +74,7 @@ TEST_CASE("Position errors up to 1e-6 do not pass for rank", "[core][rank]") {
             // the value that should vanish is of the size of the error
             CHECK(report.singular_values(17) < 10.0 * error);
             for (const RedundantRow& row : report.redundant_rows) {
-                // combinations hold as well as the assembly
+                // the combinations hold as accurately as the pose is assembled
                 CHECK(row.misfit < 100.0 * error);
             }
         }
@@ -90,7 +90,7 @@ TEST_CASE("A pose far from assembled is said to be so", "[core][rank]") {
         test::disturbed(mechanism, start_state(mechanism), random, 0.2, 0.2), 0.0);
     const RankReport report = analyse_rank(system, assembler.jacobian(), assembler.phi());
     CHECK_FALSE(report.assembled);
-    CHECK(report.rank == 18);  // of the matrix there, which shows no redundancy but two rows
+    CHECK(report.rank == 18);  // rank of the matrix there, in which only two rows are redundant
     CHECK(report.redundant() == 2);
 }
 

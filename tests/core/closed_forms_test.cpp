@@ -121,7 +121,7 @@ TEST_CASE("RSSR's rocker stands where the loop closure says, with both derivativ
         const double phi_dot = kRate + kAcceleration * t;
         const double psi = l.psi(phi);
         CAPTURE(t, phi, psi);
-        // velocities from |B - A|² = L²: (B - A)·(Ḃ - Ȧ) = 0, and once more
+        // velocities from |B - A|² = L²: (B - A)·(Ḃ - Ȧ) = 0; accelerations from its derivative
         const Vec3 z = Vec3::UnitZ();
         const Vec3 y = Vec3::UnitY();
         const Vec3 rod = l.rocker_end(psi) - l.crank_end(phi);
@@ -138,7 +138,7 @@ TEST_CASE("RSSR's rocker stands where the loop closure says, with both derivativ
         CHECK(std::abs(std::remainder(out.value - psi, 2.0 * kPi)) < kTolerance);
         CHECK(std::abs(out.rate - psi_dot) < 10.0 * kTolerance);
         CHECK(std::abs(out.acceleration - psi_ddot) < 100.0 * kTolerance);
-        // the rod's idle spin is left open, and that is said; the other rows hold
+        // the idle spin of the rod is not unique, and the verdict says so; the equations are consistent
         CHECK_FALSE(frame.velocity_verdict.unique);
         CHECK(frame.velocity_verdict.consistent);
         CHECK(frame.acceleration_verdict.consistent);
@@ -169,7 +169,7 @@ TEST_CASE(
 }
 
 TEST_CASE("A parallelogram's coupler is carried without turning", "[core][closed_forms]") {
-    // short of its change points
+    // the motion stays between two change points
     Mechanism mechanism = test::driven(test::parallelogram(0.4), 0, 0.5);
     System system(mechanism, everything(mechanism));
     MotionTracker tracker(system, start_state(mechanism), 0.0);

@@ -7,7 +7,7 @@
 #include "core/poses/typed/closed_parts.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
-/// Parts of a mechanism that hang on each other in single bodies.
+/// Parts of a mechanism that are connected to each other by single bodies only.
 using namespace jw;
 
 namespace {
@@ -33,7 +33,7 @@ std::vector<int> all_of(const Mechanism& mechanism) {
     return joints;
 }
 
-/// Number of bodies, the fixed ones as one, that joints hold together in so many pieces.
+/// Number of bodies that joints connect (all fixed ones count as one), and of connected pieces.
 struct Pieces {
     int bodies = 0;
     int pieces = 0;

@@ -49,14 +49,14 @@ TEST_CASE("A loop with one axis tilted cannot close, and the tilt is told", "[co
                 axis = (std::cos(tilt) * axis.normalized() + std::sin(tilt) * across).eval();
                 const PositionOutcome outcome = outcome_of(mechanism);
                 if (tilt < 4e-7) {
-                    // seven digits, of which four joints have a share each: typed like that, loops close
+                    // an error of the seventh digit, which four joints share: loops typed like that close
                     CHECK(outcome.ok());
                     continue;
                 }
                 const Contradiction& found = contradiction_of(outcome);
                 CHECK(found.joints == std::vector{0, 1, 2, 3});
                 CHECK(found.drivers.empty());
-                // the last joint may turn to where its points are apart instead: rods are 1 to 3 m long
+                // the last joint may have its points apart instead of its axes tilted: rods are 1 to 3 m long
                 const bool axes = found.role == Role::axes_parallel;
                 CHECK((axes || found.role == Role::same_point));
                 CHECK(found.gap > 0.1 * tilt);
@@ -73,7 +73,7 @@ TEST_CASE("A gap is the same however far away a body starts", "[core][position]"
             Mechanism mechanism = test::four_bar_at(1.0, {1.0, 2.5, 2.0, 4.0});
             mechanism.joints[2].geometry.P_i_local *= 0.5 / 2.5;
             mechanism.bodies[static_cast<std::size_t>(body)].r += distance * Vec3(0.3, -0.8, 0.5);
-            // joint by joint, as a lesson is told: what is put together first is at hand for the rest
+            // joint by joint, as in a lesson: each pose is the start estimate for the next joint
             State state = start_state(mechanism);
             PositionOutcome outcome;
             for (int count = 1; count <= 4 && (count == 1 || outcome.ok()); ++count) {
@@ -115,8 +115,8 @@ TEST_CASE("A driver that contradicts nobody is not named", "[core][position]") {
     CHECK(contradiction_of(outcome).drivers == std::vector{1, 2});
 }
 
-TEST_CASE("Drivers that part on the way end the motion with both names", "[core][motion]") {
-    // rates, accelerations and what comes after that
+TEST_CASE("Drivers that diverge end the motion, and both are named", "[core][motion]") {
+    // first, second or third derivatives differ
     const std::vector<double> one{0.1, 1.0, 0.3, 0.0};
     for (std::size_t order = 1; order < one.size(); ++order) {
         CAPTURE(order);

@@ -25,7 +25,7 @@ Reading reading(const Read& read, const std::string& text) {
     double value = 0.25;
     const std::from_chars_result result = read(text.data(), text.data() + text.size(), value);
     Reading found{0, result.ptr - text.data(), result.ec};
-    // what a NaN carries is nobody's
+    // the payload of a NaN is not compared
     if (!std::isnan(value)) { std::memcpy(&found.bits, &value, sizeof value); }
     return found;
 }

@@ -119,7 +119,7 @@ TEST_CASE(
     CHECK(motion.departure->joint == 4);
     CHECK(motion.departure->body == 2);
     CHECK(motion.departure->direction == 1);
-    CHECK(motion.states.size() > 1);  // Newton's method sees nothing of it at first
+    CHECK(motion.states.size() > 1);  // Newton's method does not notice the departure at first
     CHECK_FALSE(motion.has_motion_beside);
     check_order(followed(watt(1e-3)), 5, 0.625e12);
     check_order(followed(watt(1e3)), 5, 0.625e-12);

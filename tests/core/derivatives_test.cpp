@@ -17,7 +17,7 @@ constexpr Real kFirstStep = 1e-4L;
 constexpr Real kSecondStep = 5e-4L;
 constexpr double kDifferenceTolerance = 1e-9;
 
-/// Rates of the rows of joints and drivers. What is told of a constraint by itself is what its rows have.
+/// Rates of the rows of joints and drivers. Checks that the terms of a constraint alone equal its rows.
 template <class C>
 VectorX rates_of(const Assembler<C>& assembler, const State& state, const Motion& motion) {
     const System& system = assembler.system();

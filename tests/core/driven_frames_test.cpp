@@ -3,7 +3,7 @@
 #include "core/kinematics/driven_frames.hpp"
 #include "tests/support/driven.hpp"
 
-/// The quick way from moment to moment against the one that decides ranks.
+/// The quick solution at each time, compared with the one that decides ranks.
 using namespace jw;
 
 namespace {

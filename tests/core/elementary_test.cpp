@@ -48,7 +48,7 @@ private:
 
 using Arguments = std::pair<double, double>;
 
-/// Results of `function` for arguments of one kind, beside the right ones.
+/// Function under test, its right values, and arguments of one kind.
 struct Kind {
     const char* name;
     double (*function)(Arguments);
@@ -130,14 +130,14 @@ double error_in_last_places(double found, long double right) {
         std::abs(wide(found) - right) * std::ldexp(1.0L, 53 - std::max(exponent, -1021)));
 }
 
-/// As many as for a million of each function.
+/// Number of arguments of each kind: in all about a million for each function.
 constexpr int kOfEachKind = 350'000;
 
 }  // namespace
 
 TEST_CASE("Elementary functions are wrong by at most 0.52 units in the last place", "[core][elementary]") {
     static_assert(std::numeric_limits<long double>::digits >= 64);
-    // 0.5 is the last rounding, 0.015 what the numbers before it have; long double's own functions add 2^-11
+    // 0.5 is the last rounding, 0.015 the error before it; the functions of long double add 2^-11
     for (const Kind& kind : kKinds) {
         Sequence any(21);
         double worst = 0.0;

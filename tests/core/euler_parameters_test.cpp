@@ -87,14 +87,14 @@ TEST_CASE(
     for (unsigned seed = 1; seed <= 3000; ++seed) {
         test::Random random(seed);
         const Vec3 from = random.vector(3.0);
-        // any direction, and those that are the opposite but for 1, 0.1, ... 1e-8 rad, or exactly
+        // random directions, and directions that are opposite exactly or up to 1, 0.1, ... 1e-8 rad
         const double apart = seed % 10 == 9 ? 0.0 : std::pow(0.1, seed % 10);
         const Vec3 aside = perpendicular_to(from);
         const Vec3 opposite = -from + apart * from.norm() * aside.normalized();
         const Vec3 to = seed % 2 == 0 ? random.vector(2.0) : opposite;
         CAPTURE(seed, from.transpose(), to.transpose());
         const Vec4 p = euler_parameters_between(from, to);
-        // below 1e-6 rad the axis is that of an exact half turn: 1 + cosine < 1e-12; before, it is known to
+        // below 1e-6 rad the axis is that of an exact half turn: 1 + cosine < 1e-12; above, it is known to
         // 1e-16 / 1e-6
         const double tolerance = seed % 2 == 1 && apart < 1e-5 ? 2e-6 : 2e-10;
         CHECK(std::abs(p.norm() - 1.0) < tolerance);

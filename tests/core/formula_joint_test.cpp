@@ -263,7 +263,7 @@ TEST_CASE(
         REQUIRE(tracker.advance_to(static_cast<double>(k) / steps));
         REQUIRE(steep_tracker.advance_to(static_cast<double>(k) / steps));
         CHECK_FALSE(steep_tracker.frame().change_point);
-        // of rounding over the margin of the pose
+        // rounding divided by the margin of the pose
         CHECK(movement(system, tracker.frame().state, steep_tracker.frame().state) < 1e-9);
     }
     CHECK(steep_tracker.crossings().empty());

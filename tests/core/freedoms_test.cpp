@@ -23,7 +23,7 @@ double largest_residual(const System& system, const State& state) {
     return assembler.phi().size() == 0 ? 0.0 : assembler.phi().cwiseAbs().maxCoeff();
 }
 
-/// Followed from the start pose, every state checked.
+/// Motion followed from the start pose, with every state checked.
 FollowedMotion followed(const Mechanism& mechanism, const VectorX& direction, int steps = 8) {
     const System system(mechanism, everything(mechanism));
     FollowedMotion motion = follow_free_motion(system, start_state(mechanism), 0.0, direction, steps, kStep);
@@ -45,7 +45,7 @@ std::vector<FreeMotion> free_motions(const Mechanism& mechanism) {
     return test::rank_of(mechanism).free_motions;
 }
 
-/// Columns of planar turns about z [rad/s] at the start pose, body origins moving by `r_dot`.
+/// Columns of a motion at the start pose, whose angular velocities are given in the global frame [rad/s].
 VectorX columns_of(const Mechanism& mechanism, const Motion& global) {
     const System system(mechanism, everything(mechanism));
     Motion motion = global;
@@ -92,7 +92,7 @@ TEST_CASE("The free crank of a four-bar is a finite motion both ways", "[core][f
     CHECK(std::abs(turned) > 2.0 * kPi);  // round and round
 }
 
-TEST_CASE("Bars in line have a velocity and no motion", "[core][freedoms]") {
+TEST_CASE("Bars in line have a free velocity but no finite motion", "[core][freedoms]") {
     for (const Mechanism& mechanism : {test::stretched_bars(), test::stretched_revolutes()}) {
         REQUIRE(free_motions(mechanism).size() == 1);
         const FollowedMotion motion = followed(mechanism, free_motions(mechanism)[0]);
@@ -100,7 +100,7 @@ TEST_CASE("Bars in line have a velocity and no motion", "[core][freedoms]") {
         CHECK_FALSE(motion.has_motion_beside);
         CHECK(motion.states.size() == 1);
     }
-    // a bit of slack and the same joints move
+    // with some slack the same joints move
     Mechanism slack = test::four_bar_at(0.7, {1.0, 1.0, 1.0, 2.5});
     CHECK(followed(slack, free_motions(slack).at(0)).is_finite());
 }
@@ -194,7 +194,7 @@ TEST_CASE("At its change point a parallelogram has two branches, each finite", "
             CHECK(together == (line.parallel || std::abs(crank) < 1e-12));
         }
     }
-    // vectors between the two tangents are no motions, and lead onto one or the other
+    // directions between the two tangents are not motions; they lead onto one tangent or the other
     REQUIRE(free_motions(mechanism).size() == 2);
     const auto check_between = [&](const VectorX& direction) {
         const FollowedMotion motion = followed(mechanism, direction);
@@ -254,7 +254,7 @@ TEST_CASE("A step of a free motion is proved on its branch and not to the other 
     turn(3, B - D, mirrored - D);
     REQUIRE(largest_residual(system, other) < 1e-12);
 
-    // both velocities are that of the start: near enough for a short step
+    // both ends have the velocity of the start: accurate enough for a short step
     const Motion velocity = Layout<OmegaLocal>(system).motion_of(from, free / free.cwiseAbs().maxCoeff());
     StepProof kept(system, StepProof::LeftFree::kept);
     CHECK(kept.holds({0.0, &from, &velocity}, {0.0, &from, &velocity}));

@@ -84,7 +84,7 @@ TEST_CASE(
         CAPTURE(seed);
         test::Random random(seed);
         Mechanism all = test::random_net(random);
-        // more columns than singular values are taken for
+        // more columns than the limit up to which singular values are computed
         while (System(all, everything(all)).columns(3) <= 66) { add_beside(all, test::random_net(random)); }
         System system(all, everything(all));
         const State state = start_state(all);
@@ -118,7 +118,7 @@ TEST_CASE("Combinations and free motions of generated mechanisms hold in long do
         for (const RedundantRow& row : report.redundant_rows) {
             CAPTURE(row.row, row.misfit, row.bound);
             CHECK(row.misfit <= row.bound);
-            // of a row of size 1 at most what was taken as zero, and terms of 1e-9 that are not told
+            // for a row of size 1: at most what was taken as zero, plus terms of 1e-9 that are not reported
             CHECK(miss_of(J, row) <= 10.0 * (report.threshold + 1e-9));
         }
         REQUIRE(report.free_motion_proofs.size() == report.free_motions.size());
@@ -129,7 +129,7 @@ TEST_CASE("Combinations and free motions of generated mechanisms hold in long do
                 report.free_motions[k].cast<long double>();
             for (Eigen::Index row = 0; row < J.rows(); ++row) {
                 const auto size = static_cast<long double>(system.row_unit(static_cast<int>(row)));
-                // an elimination among few bodies grows errors by less than ten
+                // an elimination among few bodies amplifies errors by less than ten
                 CHECK(std::abs(J.row(row).dot(v)) <= 10.0L * report.threshold * size * v.norm());
             }
         }

@@ -135,7 +135,7 @@ TEST_CASE("Noise of 0.02 on the axis (1,1,1) switches nothing in 20000 steps", "
     std::vector<Vec3> axes;
     for (int k = 0; k <= 20000; ++k) { axes.push_back(Vec3::Ones().normalized() + random.vector(0.02)); }
     CHECK(switches_along(20000, [&](int k) { return axes[static_cast<std::size_t>(k)]; }) == 0);
-    // the promise is worth something: the largest component itself changes thousands of times
+    // the test is not trivial: the largest component itself changes thousands of times
     int changes = 0;
     for (std::size_t k = 1; k < axes.size(); ++k) {
         changes += choose_dropped(axes[k], -1) != choose_dropped(axes[k - 1], -1) ? 1 : 0;
@@ -180,7 +180,7 @@ TEST_CASE(
 TEST_CASE("The choice is by direction only and signs do not matter", "[core][independent_rows]") {
     CHECK(choose_dropped(Vec3(0.1, -5.0, 2.0), -1) == 1);
     CHECK(choose_dropped(1e-8 * Vec3(0.1, -5.0, 2.0), -1) == 1);
-    // exactly at the ratio it stays, just below it goes
+    // just above the ratio the choice stays, just below it changes
     CHECK(choose_dropped(Vec3(1.0, 0.80001, 0.0), 1) == 1);
     CHECK(choose_dropped(Vec3(1.0, 0.79999, 0.0), 1) == 0);
 }

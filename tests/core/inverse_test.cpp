@@ -11,7 +11,7 @@ TEST_CASE(
     std::vector<Eigen::Index> pivots;
     for (Eigen::Index n = 1; n <= 40; ++n) {
         MatrixX m = MatrixX::Identity(n, n);
-        // rows in any order, so that pivots are found elsewhere
+        // rows in another order, so that the pivots are not on the diagonal
         for (Eigen::Index k = 0; k < n; ++k) { m.row(k).swap(m.row((3 * k + 1) % n)); }
         for (Eigen::Index k = 0; k < 2 * n; ++k) { m(k * 7 % n, k * 5 % n) += 0.3 * random.number(); }
         MatrixX inverse = m;

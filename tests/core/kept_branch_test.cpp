@@ -15,8 +15,8 @@ using namespace jw::test;
 
 namespace {
 
-/// Loops of each class; JW_BRANCH_LOOPS asks for another number. Of 10,000 one or two end as undecided: such
-/// of 1 mm, with a margin of some 1e-9.
+/// Loops of each class; JW_BRANCH_LOOPS asks for another number. Of 10,000 one or two end as undecided: those
+/// of 1 mm with a margin of some 1e-9.
 unsigned share() { return number_from("JW_BRANCH_LOOPS", 60); }
 
 /// End of a motion, and the distance of its worst pose from the branch of its start.
@@ -87,7 +87,7 @@ TEST_CASE("Driven spatial loops stay on their branch", "[branches]") {
 }
 
 TEST_CASE("Universal joints bent through a right angle stay on their branch", "[branches]") {
-    // shafts 84 to 89.8 deg off; steps grow with the inverse of what is left
+    // shafts bent by 84 to 89.8 deg; the steps grow with the inverse of the rest to 90 deg
     check_class(
         4000,
         [](Random& random, double margin) {

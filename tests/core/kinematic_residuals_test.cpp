@@ -72,7 +72,7 @@ TEST_CASE(
             CHECK(right.velocity.holds());
             CHECK(right.acceleration.holds());
 
-            // a millionth beside it: a hundred thousand times the bound
+            // wrong by a millionth: a hundred thousand times the bound
             State moved = frame.state;
             Motion velocity = frame.velocity;
             Motion acceleration = frame.acceleration;

@@ -102,7 +102,7 @@ TEMPLATE_TEST_CASE(
     const VectorX x = assembler.layout().columns_of(state, analysis.velocity.velocity);
     // rounding
     CHECK((assembler.jacobian() * x - assembler.nu()).cwiseAbs().maxCoeff() < 1e-13);
-    // shortest: no part along the motion that is left free, which is the rod's spin about itself
+    // the solution of least norm has no part along the free motion, which is the rod's spin about itself
     const test::Rssr l;
     const Vec3 rod = (l.rocker_end(l.psi(0.7)) - l.crank_end(0.7)).normalized();
     Motion spin = zero_motion(mechanism);
@@ -150,8 +150,8 @@ TEST_CASE(
     CHECK(verdict.rank == 18);
     CHECK(verdict.unique);
     CHECK(system.origin(verdict.worst_row).kind == RowOrigin::Kind::driver);
-    // least squares meet in the middle, rate 2, except for what the joints give way;
-    // relative to the largest of the right side, 3
+    // least squares meet in the middle, at rate 2, up to the residuals of the joints; relative to the largest
+    // of the right side, 3
     CHECK(verdict.residual > 0.25);
     CHECK(verdict.residual < 1.0 / 3.0 + 1e-12);
     // the accelerations of both drivers are 0, but γ of the joints is not contradicted by them

@@ -130,8 +130,8 @@ TEST_CASE("Bounds of derivatives of every primitive hold in all of a region", "[
                 const VectorX value = value_at(primitive, a_i, a_j, a_theta);
                 CHECK((value - middle).norm() <= away * (1.0 + 1e-12));
                 CHECK(value.norm() <= size * (1.0 + 1e-12));
-                // one block of coordinates changes at a time, by a little: what it changes each other block
-                // by
+                // one block of coordinates changes at a time, by a little: the change of every block of the
+                // Jacobian is bounded
                 const double step = 1e-6;
                 for (std::size_t d = 0; d < kBlocks; ++d) {
                     Pose b_i = a_i;

@@ -94,7 +94,7 @@ TEST_CASE("The free part of a motion is its projection on the null space", "[cor
         // rows are not all of size 1 but the space is the same: rounding times a condition of some tens
         CHECK((free - expected).norm() < 1e-13);
 
-        // multipliers hold what is not free
+        // the multipliers give the part that is not free
         VectorX lambda;
         least_squares.solve_transposed(x, rank, lambda);
         CHECK((x - jacobian.transpose() * lambda - expected).norm() < 1e-13);
@@ -113,7 +113,7 @@ TEST_CASE("A crank dragged round and round takes the loop along on its branch", 
             scene.pull(1, pin, 1.7 * Vec3(std::cos(phi), std::sin(phi), 0.0));  // outside the circle
         iterations += outcome.newton_iterations;
         CHECK(outcome.freedoms == 1);
-        // the nearest point of the circle, as well as 1e-13 of ½ distance² tells it
+        // the nearest point of the circle, as accurately as 1e-13 of ½ distance² determines it
         CHECK((scene.global(1, pin) - Vec3(std::cos(phi), std::sin(phi), 0.0)).norm() < 1e-6);
         CHECK((scene.global(2, point) - coupler_point(phi)).norm() < 1e-5);
         CHECK(outcome.distance == Approx(0.7).epsilon(1e-9));
@@ -154,8 +154,8 @@ TEST_CASE(
         const DragOutcome tenth = scene.pull(2, point, target);
         CHECK(movement(scene.system, ninth, scene.dragger.state()) < 1e-9);
         CHECK(tenth.blocked);
-        // no place of the coupler curve within 0.1 rad of the crank is nearer, as far as 1e-13 of distance²
-        // (of targets brought to ten sizes of the machine) tells
+        // no point of the coupler curve within 0.1 rad of the crank is nearer, up to 1e-13 of distance² (of
+        // targets that are brought to ten sizes of the machine)
         const Vec3 pin = scene.global(1, scene.local(1, Vec3(std::cos(0.7), std::sin(0.7), 0.0)));
         const double phi = std::atan2(pin.y(), pin.x());
         for (int step = -100; step <= 100; ++step) {
@@ -223,7 +223,7 @@ TEST_CASE("From a change point a pull leads onto either branch", "[core][manifol
         CAPTURE(side);
         CHECK(outcome.distance < 1e-8);
     }
-    // back and across the change point again: a collinear pose is passed, not stuck in
+    // back and across the change point again: the pull passes a collinear pose and does not get stuck
     const DragOutcome back = both.pull_often(3, rocker_end, Vec3(3.0, 0.0, 0.0), 8);
     CHECK(back.distance < 1e-6);
     const DragOutcome on = both.pull_often(3, rocker_end, Vec3(2.0 + std::cos(0.5), std::sin(0.5), 0.0), 8);
@@ -268,7 +268,7 @@ TEST_CASE("Targets without number or far beyond the machine do no harm", "[core]
     const Vec3 there = scene.global(2, point);
     Scene near(test::four_bar_at(0.7));
     near.pull_often(2, point, Vec3(1e8, 1e8, 0.0));
-    // one direction, one place: as exact as 1e-13 of distance² tells it
+    // the same direction gives the same place, as accurately as 1e-13 of distance² determines it
     CHECK((near.global(2, point) - there).norm() < 1e-5);
     CHECK_THROWS_AS(scene.dragger.pull(4, point, there), std::invalid_argument);
     CHECK_THROWS_AS(scene.dragger.pull(-1, point, there), std::invalid_argument);
@@ -295,7 +295,7 @@ TEST_CASE("A pull does not depend on the size of the machine", "[core][manifold]
 TEST_CASE("A nut pulled along its spindle turns with its thread, round after round", "[core][manifold]") {
     Scene scene(test::screw(0.7, 0.25, ScrewAngleForm::rotation));
     const Vec3 axis = Vec3(1.0, 2.0, 2.0) / 3.0;
-    const Vec3 target = 5.0 * axis;  // 20 rad on
+    const Vec3 target = 5.0 * axis;  // 20 rad further
     const DragOutcome outcome = scene.pull_often(1, Vec3::Zero(), target, 60);
     CHECK(outcome.distance < 1e-8);
     CHECK(scene.dragger.state().theta[0] == Approx(20.0).epsilon(1e-9));

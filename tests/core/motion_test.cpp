@@ -10,7 +10,7 @@ using test::kPi;
 
 namespace {
 
-/// Off the parallel branch, where the coupler turns, by how much.
+/// Angle by which the coupler has turned; zero on the parallel branch.
 double coupler_turn(const State& start, const State& state) {
     return turn_local_between(start.p[2], state.p[2]).norm();
 }
@@ -115,7 +115,7 @@ TEST_CASE("A four-bar driven past its dead end stops there, with the last good p
     // the turning point itself, not the gap at the time that was asked for
     CHECK(tracker.failure()->cause == FailureCause::turning_point);
     CHECK(tracker.failure()->t == Approx(end).margin(1e-9));
-    // the last pose is a pose: all equations hold, and nothing in it is NaN
+    // the last pose is valid: all equations hold, and nothing in it is NaN
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(frame.state, frame.t);
     CHECK(assembler.phi().cwiseAbs().maxCoeff() < 1e-12);
@@ -134,7 +134,7 @@ TEST_CASE("Motion can be followed backwards to where it began", "[core][motion]"
     for (int k = 1; k <= 30; ++k) { REQUIRE(tracker.advance_to(0.1 * k)); }
     for (int k = 29; k >= 0; --k) { REQUIRE(tracker.advance_to(0.1 * k)); }
     for (std::size_t b = 0; b < first.r.size(); ++b) {
-        // each pose is assembled to rounding, none of it piles up
+        // each pose is assembled to rounding, which does not accumulate
         CHECK((tracker.frame().state.r[b] - first.r[b]).norm() < 1e-12);
         CHECK(turn_local_between(first.p[b], tracker.frame().state.p[b]).norm() < 1e-12);
     }
@@ -159,7 +159,7 @@ TEST_CASE("Long frames are cut into steps and come to the same poses", "[core][m
 }
 
 TEST_CASE("Switching the rows of p1 on the way changes no motion", "[core][motion]") {
-    // an axis that turns with its body: a universal shaft carries a revolute around
+    // axes that turn with their bodies
     const auto scene = [](ParallelForm form) {
         Mechanism mechanism = test::driven(test::bennett(0.7), 0, 1.0);
         for (Joint& joint : mechanism.joints) { joint.parallel_form = form; }

@@ -201,7 +201,7 @@ TEMPLATE_TEST_CASE(
     };
     CHECK(drift(with) < 1e-12);
     CHECK(drift(without) > 1e-4);
-    // stretched parts are in no singular pose: the order is 2 again, and few steps are enough
+    // a pose with stretched parts is not singular: the order is 2 again, and few steps are enough
     CHECK(without.iterates.size() < 8);
     CHECK(with.iterates.size() > 14);
 }

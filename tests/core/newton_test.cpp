@@ -57,7 +57,7 @@ TEMPLATE_TEST_CASE(
             const std::vector<NewtonStep> steps = steps_from<TestType>(system, start);
             CAPTURE(scene.name, seed);
             REQUIRE(steps.back().converged);
-            CHECK(steps.size() <= 6);  // 0.1, 1e-2, 1e-4, 1e-8, 1e-16 and the look at it
+            CHECK(steps.size() <= 6);  // 0.1, 1e-2, 1e-4, 1e-8, 1e-16 and the final check
             for (std::size_t k = 1; k < steps.size(); ++k) {
                 const double before = steps[k - 1].residual;
                 // 1e-13 is rounding; a square below it shows nothing
@@ -140,7 +140,7 @@ TEMPLATE_TEST_CASE(
             if constexpr (!TestType::kNormalised) {
                 for (const int b : system.moving_bodies()) {
                     const auto k = static_cast<std::size_t>(b);
-                    // the promise itself, measured on the bodies; 1e-9: acos-free, rounding only
+                    // the bound itself, measured on the bodies; 1e-9 is rounding only, since no acos is used
                     CHECK(
                         turn_local_between(before.p[k], stepper.state().p[k]).norm() <= kLargestTurn + 1e-9);
                 }
@@ -185,7 +185,7 @@ TEST_CASE("Every iteration reports its residual, the row where it is and the ran
     CHECK(first.residual == assembler.phi().cwiseAbs().maxCoeff());
     CHECK(first.delta_norm > 0.0);
     for (std::size_t k = 0; k < steps.size(); ++k) { CHECK(steps[k].iteration == static_cast<int>(k)); }
-    // near the solution the rank that is used is the kinematic one
+    // near the solution the rank that Newton's method uses is the kinematic one
     CHECK(steps[steps.size() - 2].rank == 17);
 }
 
@@ -229,8 +229,8 @@ TEMPLATE_TEST_CASE(
         }
         for (const double factor : {0.05, 8.0, 300.0}) {
             CAPTURE(scene.name, factor);
-            // the unit of length stays a power of 1000: other weights between metres and radians, and with
-            // those an iteration or two that leave out weak rows
+            // the unit of length stays a power of 1000: the weights between metres and radians change, and
+            // with them an iteration or two that leave out weak rows
             CHECK(std::abs(iterations(scaled(start, factor)) - usual) <= 2);
         }
         for (const double distance : {10.0, 1e4, 1e6}) {

@@ -63,7 +63,7 @@ Run whole_steps(
 void check_like(const std::vector<double>& residuals, const std::vector<double>& table) {
     for (std::size_t k = 0; k < table.size(); ++k) {
         CAPTURE(k, residuals[k]);
-        // the table is for another axis and pose: quadratic convergence makes a factor 1.5 at 1e-2 four later
+        // the table is for another axis and pose: quadratic convergence turns 1.5 at 1e-2 into four later
         CHECK(residuals[k] < 4.0 * table[k] + 1e-14);
         CHECK(residuals[k] > table[k] / 10.0 - 1e-14);
     }

@@ -5,7 +5,7 @@
 #include "core/poses/position.hpp"
 #include "tests/support/scenes.hpp"
 
-/// Positions that cannot be found: the state stays, and the failure says what it was.
+/// Positions that cannot be found: the state stays unchanged, and the failure names the cause.
 using namespace jw;
 using test::radians;
 
@@ -104,7 +104,7 @@ TEST_CASE("A rod whose ends start at the same point is singular, not impossible"
 TEST_CASE(
     "A body that can only sit anti-parallel fails as a wrong branch and says at which joint",
     "[core][position]") {
-    // ground's own two axes look opposite ways, the body's the same way
+    // the two axes on the ground have opposite directions, those on the body the same direction
     test::SceneBuilder scene;
     const int body = scene.add_body("body", Vec3::Zero());
     scene.add_joint("p1", 0, body, Vec3::Zero(), Vec3::UnitZ());

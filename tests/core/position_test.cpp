@@ -116,7 +116,7 @@ TEMPLATE_TEST_CASE(
         REQUIRE(outcome.ok());
         const double angle = relative_angle(mechanism.joints[0], state);
         CHECK(std::abs(std::remainder(state.theta[0] - angle, 2.0 * kPi)) < 1e-12);
-        // the nut may move along; what counts is that advance and angle belong together
+        // the nut may also move along; only its advance and its angle must match
         CHECK(std::abs(Vec3(1.0, 2.0, 2.0).dot(state.r[1]) / 3.0 - 0.25 * state.theta[0]) < 1e-12);
     }
 }

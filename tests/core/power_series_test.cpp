@@ -73,7 +73,7 @@ TEST_CASE("Power series of the primitives have their values along a path", "[cor
     Random random(29);
     const auto unit = [&] { return random.direction(); };
     for (int n = 0; n < kPaths; ++n) {
-        // polynomials of degree 8 in s at most: nothing is cut off
+        // polynomials of degree 8 in s at most: the series is not truncated
         const std::vector<ProvedPrimitive> primitives = polynomial_primitives(random);
         const RandomPath i(random);
         const RandomPath j(random);
@@ -83,7 +83,7 @@ TEST_CASE("Power series of the primitives have their values along a path", "[cor
             CHECK(c.difference <= 1e-13 * (c.size + 10.0));
             CHECK(c.excess <= 1e-12);
         }
-        // what is cut off is of order 9: an order less would leave 1e-7 of the terms
+        // the truncated terms are of order 9: an order less would leave 1e-7 of the terms
         for (const ScrewAngleForm form :
              {ScrewAngleForm::rotation, ScrewAngleForm::cosine, ScrewAngleForm::sine}) {
             const Comparison c =
@@ -103,7 +103,7 @@ TEST_CASE(
         const RandomPath j(random);
         for (std::size_t k = 0; k < formulas.size(); ++k) {
             CAPTURE(n, k);
-            // at a tenth of the distance that the series reaches: what is cut off is less than the last term
+            // at a tenth of the distance that the series reaches: the truncation error is below the last term
             const Comparison c = compared(formulas[k], i, j, 0.0, 0.0, 0.01);
             CHECK(c.difference <= c.last + 1e-14 * (c.size + 10.0));
             CHECK(c.excess <= 1e-12);

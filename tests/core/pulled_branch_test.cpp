@@ -12,7 +12,7 @@ using namespace jw::test;
 
 namespace {
 
-/// A loop that nothing drives, pulled by hand. The angle of what was its crank tells where the compared point
+/// A loop without a driver, pulled by hand. The angle of its former crank determines where the compared point
 /// is on the branch of the start.
 class PulledLoop {
 public:
@@ -69,7 +69,7 @@ private:
 }  // namespace
 
 TEST_CASE("Loops that are pulled by hand stay on their branch, however near to folding", "[branches]") {
-    // 162,000 pulls were asked once
+    // 162,000 pulls were tested once
     constexpr unsigned kLoops = 40;
     constexpr int kPulls = 15;
     constexpr std::array classes{driven_four_bar, driven_slider_crank, driven_spatial_loop, driven_row};

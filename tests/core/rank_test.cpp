@@ -17,7 +17,7 @@ struct Expected {
     const char* name;
     Mechanism mechanism;
     int rows, columns, rank;
-    double smallest;  ///< every singular value that counts is above, by the table of docs/notation.md
+    double smallest;  ///< lower bound of the nonzero singular values, from the table of docs/notation.md
 };
 
 std::vector<Expected> table() {
@@ -61,9 +61,9 @@ TEST_CASE("The closed loops of the lecture have the tabled ranks", "[core][rank]
         CAPTURE(expected.name);
         const RankReport report = test::rank_of(expected.mechanism);
         check_verdict(expected, report);
-        CHECK(report.residual < 1e-14);  // the closed forms of the scenes do close
+        CHECK(report.residual < 1e-14);  // the closed forms of the scenes satisfy the equations
         CHECK(report.singular_values(report.rank - 1) > expected.smallest);
-        // redundant ones are rounding, 1e-16 times the number of rows: nothing in between
+        // the other singular values are rounding, 1e-16 times the number of rows: none lies in between
         CHECK(report.largest_gap > 1e12);
     }
 }
@@ -148,7 +148,7 @@ TEST_CASE("Scaling all lengths from 1e-3 to 1e3 changes no verdict", "[core][ran
             expected.mechanism = scaled(std::move(expected.mechanism), factor);
             const RankReport after = test::rank_of(expected.mechanism);
             check_verdict(expected, after);
-            // the scene's unit goes in steps of 1000, and there the singular values are the same
+            // the scene's unit changes in steps of 1000; after such a step the singular values are the same
             if (factor == 1e-3 || factor == 1e3) {
                 CHECK(
                     (after.singular_values - before.singular_values).cwiseAbs().maxCoeff() <

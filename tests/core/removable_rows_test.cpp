@@ -10,7 +10,7 @@ using test::without_row;
 
 namespace {
 
-/// Every row in turn, by the singular values of what is left; 1e-7 is far from both 1e-16 and 1e-2.
+/// Removable rows, by the singular values without each row; 1e-7 is far from both 1e-16 and 1e-2.
 std::vector<int> removable_by_trial(const MatrixX& jacobian, int rank) {
     std::vector<int> rows;
     for (int row = 0; row < jacobian.rows(); ++row) {
@@ -20,7 +20,7 @@ std::vector<int> removable_by_trial(const MatrixX& jacobian, int rank) {
     return rows;
 }
 
-/// A shaft on two revolutes in line: five rows repeat.
+/// A shaft on two revolutes in line: five rows are redundant.
 Mechanism doubly_supported_shaft() {
     test::SceneBuilder scene;
     const int shaft = scene.add_body("shaft", Vec3(0.1, 0.2, 0.3));

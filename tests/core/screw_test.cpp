@@ -110,7 +110,7 @@ TEST_CASE("An angle driver turns the nut over many turns as well, θ following",
 
 TEST_CASE("The cos row turns back beyond π, where the rotation row goes on", "[core][screw]") {
     const auto angle_after = [](ScrewAngleForm form, double theta) {
-        // the nut at 3.1, θ set to the asked value: Newton turns the nut after it
+        // the nut stands at 3.1, θ is set to the given value: Newton's method turns the nut to it
         Mechanism mechanism = test::screw(3.1, kAlpha, form);
         mechanism.drivers.push_back({"theta", 0, 0, 1, ThetaMeasure{}, test::polynomial({theta})});
         const System system(mechanism, everything(mechanism));
@@ -145,7 +145,7 @@ TEST_CASE(
     CHECK_FALSE(velocity.verdict.unique);
     CHECK(velocity.velocity.omega_local[1].norm() < 1e-12);  // minimum norm: the nut stands still
     CHECK_FALSE(acceleration.verdict.consistent);
-    // γ of the cos row is θ̇² cos θ = 4 alone, and nothing can answer it
+    // γ of the cos row is θ̇² cos θ = 4 alone, which no acceleration can satisfy
     CHECK(acceleration.verdict.residual * 4.0 == Approx(4.0).epsilon(1e-12));
 
     const auto [good_velocity, good_acceleration] = analyse(ScrewAngleForm::rotation);

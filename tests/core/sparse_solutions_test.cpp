@@ -30,7 +30,7 @@ struct Case {
         while (rank < sigma.size() && sigma(rank) > 1e-9 * sigma(0)) { ++rank; }
     }
     double condition() const { return sigma(0) / sigma(rank - 1); }
-    /// Neither nearly singular nor of a rank that rounding decides.
+    /// True if the matrix is not nearly singular and rounding does not decide its rank.
     bool is_clear() const {
         return condition() < 1e5 && (rank == sigma.size() || sigma(rank) < 1e-13 * sigma(0));
     }
@@ -139,7 +139,7 @@ TEST_CASE("The sparse rank is that of the singular values, and its bounds hold",
         CHECK(sparse.last_at_least <= c.sigma(c.rank - 1));
         if (c.rank < c.sigma.size()) { CHECK(sparse.next_at_most >= c.sigma(c.rank)); }
 
-        // told joint after joint, the same rows repeat the same others
+        // given joint by joint, the same rows are combinations of the same others
         const RankReport told = analyse_large_rank(c.system, c.rows, c.phi);
         CHECK(told.rank == dense.rank);
         CHECK(told.dof == dense.dof);
@@ -150,7 +150,7 @@ TEST_CASE("The sparse rank is that of the singular values, and its bounds hold",
         for (std::size_t k = 0; k < told.redundant_rows.size(); ++k) {
             const RedundantRow& row = told.redundant_rows[k];
             CHECK(row.misfit <= row.bound);
-            // what the terms add up to is the row
+            // the sum of the terms is the row
             VectorX difference = -c.scaled.row(row.row).transpose() * c.scaling.row(row.row);
             for (const RedundantRow::Term& term : row.terms) {
                 difference += term.coefficient * c.scaling.row(term.row) * c.scaled.row(term.row).transpose();
@@ -163,7 +163,7 @@ TEST_CASE("The sparse rank is that of the singular values, and its bounds hold",
             CHECK(difference.cwiseAbs().maxCoeff() < 1e-7 * largest);
         }
     }
-    // the others are near the threshold, where only singular values tell
+    // the others are near the threshold, where only singular values decide
     CHECK(proved > all * 9 / 10);
 }
 

@@ -43,8 +43,8 @@ ProvedPose start_of(System& system, double t = 0.0) {
     return proved_pose(system, start, t);
 }
 
-/// Longest steps that are proved, from the start on and from the end of the first on [ms], to a share of
-/// 1e-3.
+/// Longest steps that are proved [ms], from the start and from the end of the first one, to a relative
+/// accuracy of 1e-3.
 /// @param off  by which body 1 is off its place [m]; its velocity 300 times that [m/s]
 std::array<double, 2> longest_steps(const Mechanism& mechanism, double off = 0.0) {
     System system(mechanism, everything(mechanism));
@@ -124,8 +124,8 @@ TimeFunction there_and_back(double start, double by) {
 }  // namespace
 
 TEST_CASE("A proof accepts the steps that its bounds allow and no longer ones", "[branches]") {
-    // Bounds that are a tenth larger or smaller make steps a twentieth shorter or longer. What is expected
-    // here is what this proof reaches: better bounds may raise it, wrong ones do, too.
+    // Bounds that are a tenth larger or smaller make steps a twentieth shorter or longer. The expected values
+    // are those of this proof: better bounds may raise them, but wrong ones do, too.
     struct Case {
         Mechanism mechanism;
         std::array<double, 2> longest;  ///< [ms]
@@ -168,7 +168,7 @@ TEST_CASE("Both signs of Euler parameters are one pose for a proof", "[branches]
 }
 
 TEST_CASE("A pose is decided as near to a change point as rounding allows", "[branches]") {
-    // ten sizes away from the origin, which numbers are rounded by
+    // ten sizes away from the origin, a distance that sets the rounding of the numbers
     const Place place{Vec3(-6.0, 5.0, 6.0), Mat3::Identity(), 1.0};
     const auto ask = [&](double angle) {
         const DrivenLoop loop = driven_parallelogram(place, 2.0, angle, false);
@@ -186,11 +186,11 @@ TEST_CASE("A pose is decided as near to a change point as rounding allows", "[br
         const double angle = std::sqrt(hidden * decided);
         (ask(angle).first ? decided : hidden) = angle;
     }
-    // what is rounded in fact is a tenth of what is allowed for
+    // the actual rounding is a tenth of what is allowed for
     CHECK(decided == Approx(2.21e-6).epsilon(0.05));
 }
 
-TEST_CASE("Bodies that drivers leave free together are told", "[branches]") {
+TEST_CASE("Bodies that the drivers together leave free are reported", "[branches]") {
     const auto leaves_free = [](const Mechanism& mechanism) {
         System system(mechanism, everything(mechanism));
         StepProof proof(system);

@@ -16,7 +16,7 @@ constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 double size_of(const MatrixX& A) { return static_cast<double>(std::max(A.rows(), A.cols())); }
 
-/// Every promise of the decomposition, and the values against two other programs.
+/// Checks every guarantee of the decomposition, and compares the values with two other programs.
 void check_against_others(const MatrixX& A) {
     const Svd svd = svd_of(A);
     CAPTURE(A.rows(), A.cols(), svd.misfit, svd.orthogonality, svd.norm_defect, svd.error);
@@ -25,11 +25,11 @@ void check_against_others(const MatrixX& A) {
     const VectorX exact = test::long_double_singular_values(A);
     const VectorX lapack = test::lapack_singular_values(A);
     const double off = (svd.sigma - exact).cwiseAbs().maxCoeff();
-    // what it promises, which includes the worst case of all roundings of the check
+    // the guaranteed error, which includes the worst case of all roundings of the check
     CHECK(off <= svd.error);
-    // what Jacobi rotations do: a few roundings of the largest
+    // the error of Jacobi rotations: a few roundings of the largest singular value
     CHECK(off <= 10.0 * std::sqrt(size_of(A)) * kEps * largest);
-    // the promise is no more than worst-case rounding: n² of the largest, and a small factor
+    // the guaranteed error is at most worst-case rounding: n² of the largest, times a small factor
     CHECK(svd.error <= 10.0 * size_of(A) * size_of(A) * kEps * largest);
     // dgejsv has the same bound as ours
     CHECK((svd.sigma - lapack).cwiseAbs().maxCoeff() <= 20.0 * std::sqrt(size_of(A)) * kEps * largest);
@@ -70,7 +70,7 @@ TEST_CASE("Singular values of matrices of every shape equal those of two other p
         const auto rows = static_cast<Eigen::Index>(random.number(1.0, 20.0));
         const auto columns = static_cast<Eigen::Index>(random.number(1.0, 20.0));
         MatrixX A = random_matrix(random, rows, columns) * std::pow(10.0, random.number(-100.0, 100.0));
-        // some rows repeat others, some columns are nothing
+        // some rows repeat others, some rows and columns are zero
         if (seed % 2 == 0) { A.row(rows - 1) = A.row(0); }
         if (seed % 3 == 0) { A.col(columns / 2).setZero(); }
         if (seed % 5 == 0) { A.row(rows / 2).setZero(); }

@@ -125,7 +125,7 @@ TEST_CASE(
         joint.parallel_form = ParallelForm::pair;
         CHECK(test::rank_of(scene.mechanism).dof == (component < 2 ? 2 : 1));  // a pair has no third
         joint.parallel_form = ParallelForm::rule;
-        // z is where the axis is largest: dropped by the rule, taken out or not
+        // z is the largest component of the axis: the rule drops it, taken out or not
         CHECK(test::rank_of(scene.mechanism).dof == (component == 2 ? 1 : 2));
         CHECK(test::rank_of(scene.mechanism).rows == (component == 2 ? 5 : 4));
     }
@@ -146,7 +146,7 @@ TEST_CASE("With an equation taken out the number of rows never changes", "[core]
         CHECK_FALSE(system.choose_rows(state));
         CHECK(system.constraints()[1].dropped == 2);
 
-        // what the rule chose before an equation was taken out is what it has left out after
+        // the row that the rule dropped before an equation was taken out is still left out afterwards
         Mechanism whole = scene.mechanism;
         whole.joints[0].without.clear();
         System before(whole, everything(whole));
@@ -244,14 +244,14 @@ TEST_CASE("An axis that may part is on no wrong branch, one that is held still i
     CHECK_FALSE(branch(over).has_value());
     CHECK_FALSE(branch(around).has_value());
 
-    // two of three rows still hold the axis
+    // two of three rows still constrain the axis
     joint.parallel_form = ParallelForm::all_three;
     REQUIRE(branch(over).has_value());
     CHECK(branch(over)->kind == WrongBranch::Kind::anti_parallel);
     CHECK(branch(around).has_value());
 
-    // unless the axis lies in their plane: for s_i along x the rows x and y ask for no z of s_j, and hold
-    // although the axes are 120 deg apart
+    // unless the axis lies in their plane: for s_i along x the rows x and y require only that s_j has no z,
+    // and hold although the axes are 120 deg apart
     joint.geometry.s_i_local = Vec3::UnitX();
     joint.geometry.s_j_local = Vec3(-0.5, std::sqrt(0.75), 0.0);
     joint.without = {{Role::axes_parallel, 2}};
@@ -285,7 +285,7 @@ TEST_CASE("The reason for a choice is told of the rows that are left", "[core][t
     const RowChoice one = choice(ParallelForm::rule, {x});
     CHECK(one.taken_out == 1U);
     CHECK(one.pair_condition == whole.pair_condition);
-    // a single row is as good as itself
+    // the condition of a single row is 1
     CHECK(one.form_condition == Approx(1.0).epsilon(1e-15));
     CHECK(choice(ParallelForm::rule, {x, y}).form_condition == kInfinite);
     CHECK(choice(ParallelForm::all_three, {x}).form_condition == whole.pair_condition[0]);

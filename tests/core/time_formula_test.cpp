@@ -56,7 +56,7 @@ Function function_of(const std::vector<FormulaStep>& steps) {
     return [&steps](Real t) { return test::formula_value(steps, t); };
 }
 
-/// First four coefficients by central differences of order h⁴, and what truncation and rounding leave open.
+/// First four Taylor coefficients by central differences of order h⁴, the last one of order h².
 std::array<Real, 4> differences(const Function& f, Real t) {
     constexpr Real h = 1e-3L;
     const auto at = [&](int k) { return f(t + k * h); };
@@ -66,7 +66,7 @@ std::array<Real, 4> differences(const Function& f, Real t) {
     return {f(t), first, second / 2.0L, third / 6.0L};
 }
 
-/// True if the function is far enough from what it has no value for: differences look beside t.
+/// True if the function has moderate values around t, where the differences evaluate it.
 bool is_calm(const Function& f, Real t) {
     for (int k = -40; k <= 40; ++k) {
         const auto around = differences(f, t + 0.001L * k);
@@ -114,7 +114,7 @@ TEST_CASE("Formulas of time have the derivatives that differences of them have",
         for (std::size_t k = 0; k < 3; ++k) {
             CHECK(found[k] == Approx(static_cast<double>(expected[k])).epsilon(1e-5).margin(1e-5));
         }
-        // a root or an arccos of what is 0 or 1 but for rounding has half of the digits
+        // a root of 0, or an arccos of 1, up to rounding has half of the digits
         CHECK(found[0] == Approx(static_cast<double>(expected[0])).epsilon(5e-8).margin(5e-8));
     }
     CHECK(looked_at > 2000);
@@ -185,7 +185,7 @@ TEST_CASE("A time without value, rate or acceleration is found, however narrow",
         CHECK(f.gap_between(0.0, third));
     }
     CHECK_FALSE(pulse(0.5, 1e-3).gap_between(0.0, 1.0));
-    // a pole beside the interval, and one that is a hair's breadth off the line
+    // a pole beside the interval, and one that lies 1e-3 off the real axis
     CHECK_FALSE(minus(-1e-3, {{Kind::power, -1.0}}).gap_between(0.0, 1.0));
     CHECK_FALSE(minus(third, {{Kind::power, 2.0}, {Kind::number, 1e-6}, {Kind::sum}, {Kind::power, -1.0}})
                     .gap_between(0.0, 1.0));

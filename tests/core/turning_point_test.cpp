@@ -83,7 +83,7 @@ TEST_CASE("A crank that turns on is never proved to turn back", "[branches]") {
         for (int n = 1; n <= 20; ++n) {
             CAPTURE(21000 + k, loop.name, loop.margin, loop.size, n);
             if (!tracker.advance_to(n / 20.0)) {
-                // one in two thousand: of a millimetre, far from the origin
+                // one loop in two thousand: of a millimetre, far from the origin
                 CHECK(tracker.failure()->cause == FailureCause::undecided);
                 break;
             }
@@ -100,7 +100,7 @@ TEST_CASE("Of several drivers that move at once it is not proved that they turn 
 }
 
 TEST_CASE("From a dead centre of its driver no motion is followed, however it is sampled", "[branches]") {
-    // coupler and rocker in line: two branches lead back, none on
+    // coupler and rocker in line: two branches lead back, and none leads on
     const FourBarLinks links{2.0, 1.5, 1.0, 3.0};
     const double locks = std::acos((4.0 + 9.0 - 2.5 * 2.5) / 12.0);
     for (const int steps : {7, 20, 100, 1000}) {

@@ -5,7 +5,7 @@
 #include "core/poses/position.hpp"
 #include "tests/support/driven.hpp"
 
-/// Lessons are typed with so many digits: loops that only just close must still move.
+/// Lessons that are typed with few digits: loops that close only approximately must still move.
 using namespace jw;
 
 namespace {
@@ -28,7 +28,7 @@ State assembled(const Mechanism& mechanism, double error) {
     const PositionOutcome outcome = solve_position<OmegaLocal>(system, state, 0.0);
     REQUIRE(outcome.ok());
     CHECK(outcome.newton.residual < 2.0 * error);
-    // more than a hundred roundings are left, and that is said
+    // more than a hundred roundings are left, and the outcome reports it
     CHECK(outcome.newton.at_floor == (error > 1e-11));
     return state;
 }
@@ -84,7 +84,7 @@ TEST_CASE("A free loop that closes to the typed digits keeps its freedom", "[cor
         CHECK(kinematics.rank() == 17);
         const VelocityOutcome velocity = kinematics.solve_velocity(possible);
         CHECK_FALSE(velocity.verdict.unique);
-        // the velocity of the exact linkage nearly is one of this: the error over 0.4, twice
+        // the velocity of the exact linkage is nearly a velocity of this one: the error over 0.4, twice
         CHECK(test::difference(velocity.velocity, possible) < 50.0 * error);
     }
 }
@@ -125,7 +125,7 @@ TEST_CASE(
             const PositionOutcome outcome = solve_position<OmegaLocal>(system, state, 0.0);
             REQUIRE_FALSE(outcome.ok());
             CHECK(outcome.failure->cause == FailureCause::cannot_close);
-            // the fit shares the miss among the joints
+            // the fit distributes the misfit over the joints
             CHECK(std::abs(outcome.failure->value) > 0.03 * error);
             CHECK(std::abs(outcome.failure->value) < error);
         }

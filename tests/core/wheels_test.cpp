@@ -40,7 +40,7 @@ TEST_CASE(
         test::Random random(seed);
         const double outer = -random_ratio(random);
         double inner = random_ratio(random);
-        // 1 would hold the sun, whatever the carrier does
+        // a product of 1 would keep the sun at rest, whatever the carrier does
         if (std::abs(outer * inner - 1.0) < 0.05) { inner *= 0.7; }
         const Vec3 axis = random.direction();
         Mechanism mechanism = test::planetary_gear(outer, inner, axis);

@@ -14,7 +14,7 @@ bool is_answered_in_text(const Task& task) {
     return std::string(kind_of(kind).file).empty() && kind != ExerciseKind::experiment;
 }
 
-/// A right answer under other words of the file would be graded a second time.
+/// Promises that no answer is graded a second time under other words of the file.
 void promise_graded_once(const HandedIn& handed) {
     std::set<std::string> graded;
     double points = 0.0;
@@ -39,7 +39,7 @@ bool check_answers(const std::string& input) {
     }
     promise(fault_of_student(handed.student).empty(), "a submission has a student");
     promise_graded_once(handed);
-    // the file cannot be a right one and hand in the same once more
+    // a second table of answers must make the file invalid: nothing can be handed in twice
     const std::string twice = input + "\n[answers]\n";
     promise(!read_answers_text(twice).problem.empty(), "a second table of answers is refused");
     return true;

@@ -23,7 +23,7 @@ std::vector<int> lengths_of_lines(const std::string& source) {
     return lengths;
 }
 
-/// A place may be just behind a line: there something is missing.
+/// Promises a place in a line or just behind it, where something is missing.
 void promise_place(const SourceSpan& span, const std::vector<int>& lengths, const std::string& message) {
     if (span.line == 0) { return; }
     const std::string place = " at " + std::to_string(span.line) + ":" + std::to_string(span.column) + " + " +
@@ -55,7 +55,7 @@ void promise_reported_places(const std::string& report, const std::string& sourc
     std::istringstream lines(report);
     for (std::string line; std::getline(lines, line);) {
         std::smatch match;
-        // a long line of the file is quoted in the report, where std::regex would go too deep
+        // the report quotes lines of the file; on a long one std::regex would recurse too deeply
         const std::string head = line.substr(0, 60);
         if (!std::regex_search(head, match, kPlace)) { continue; }
         promise_place({std::stoi(match[1]), std::stoi(match[2]), 1}, lengths, line);

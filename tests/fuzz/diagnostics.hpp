@@ -7,14 +7,13 @@
 
 namespace jw::fuzz {
 
-/// Promises that every diagnostic is at a place of `source` (or of the file as a whole, line 0), and that all
-/// can be printed.
+/// Promises that every diagnostic has a place in `source` (line 0: the file as a whole) and can be printed.
 void promise_places(const std::vector<Diagnostic>& diagnostics, const std::string& source);
 
-/// Whether one of them is an error.
+/// True if one of them is an error.
 bool has_error(const std::vector<Diagnostic>& diagnostics);
 
-/// Promises that "answers.toml:3:5: error: ..." lines of a report name places of `source`.
+/// Promises that lines of a report such as "answers.toml:3:5: error: ..." name places in `source`.
 void promise_reported_places(const std::string& report, const std::string& source);
 
 }  // namespace jw::fuzz

@@ -30,8 +30,8 @@ quantity = "pin.angle"
 )";
 constexpr int kMoments = 20;
 
-/// Sizes of all terms with those of their third derivatives, at times up to 2 s: rounding and truncation of
-/// differences are in proportion to it.
+/// Sum of the sizes of all terms and of their third derivatives, at times up to 2 s: rounding and truncation
+/// of differences are proportional to it.
 double size_of(const TimeFunction& function) {
     double size = 1.0;
     for (std::size_t k = 0; k < function.polynomial.size(); ++k) {
@@ -53,8 +53,8 @@ double size_of(const TimeFunction& function) {
     return size;
 }
 
-/// Change of the function over 2h against its rate in the middle: they differ by h² f‴ / 6 and rounding, eps
-/// f / h.
+/// Promises that the change of the function over 2h agrees with its rate in the middle: they differ by
+/// h² f‴ / 6 and by rounding, eps f / h.
 void promise_derivatives(const TimeFunction& function, double t) {
     constexpr double h = 1e-5;
     const TimeFunction::Value before = function.at(t - h);
@@ -63,20 +63,20 @@ void promise_derivatives(const TimeFunction& function, double t) {
     for (const double x : {here.f, here.f_dot, here.f_ddot}) {
         promise(std::isfinite(x), "a value is finite");
     }
-    // the second derivative of a table may jump at its times, and h is what a difference makes of that
+    // the second derivative of a table may jump at its times: a difference is then wrong in proportion to h
     const bool at_jump = function.table && std::ranges::any_of(function.table->times, [&](double time) {
                              return std::abs(time - t) < 2.0 * h;
                          });
     const double limit = (at_jump ? h : 1e-9) * size_of(function);
     promise(std::abs((after.f - before.f) / (2 * h) - here.f_dot) < limit, "the rate is the derivative");
-    // the third derivative of a step jumps where it begins and ends, and h is what a difference makes of that
+    // the third derivative of a step jumps at both its ends: a difference is then wrong in proportion to h
     const double bent = function.steps.empty() && !at_jump ? limit : (at_jump ? 1.0 : h) * size_of(function);
     promise(std::abs((after.f_dot - before.f_dot) / (2 * h) - here.f_ddot) < bent, "so is the acceleration");
 }
 
 }  // namespace
 
-/// Keys of a driver as they stand in a lesson.
+/// Checks keys of a driver as they are written in a lesson.
 bool check_driver(const std::string& input) {
     const ReadResult read = read_lesson(kScene + input, "driver.toml");
     if (!read.lesson || read.lesson->mechanism.drivers.empty()) { return false; }

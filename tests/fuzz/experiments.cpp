@@ -29,7 +29,7 @@ const Lesson& scene(std::size_t which) {
     return lessons.at(which);
 }
 
-/// @return whether it was understood
+/// @return whether the sentence was understood
 bool try_sentence(Session& session, const std::string& sentence) {
     std::string error;
     const auto experiment = read_experiment(sentence, session, error);
@@ -54,7 +54,7 @@ bool try_sentence(Session& session, const std::string& sentence) {
 
 }  // namespace
 
-/// The first letter chooses the scene, each line is an experiment.
+/// Tries experiments: the first byte chooses the scene, each line is an experiment.
 bool check_experiments(const std::string& input) {
     if (input.empty()) { return false; }
     Session session(scene(static_cast<unsigned char>(input[0]) % kScenes.size()), false);

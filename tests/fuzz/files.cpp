@@ -16,7 +16,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 }  // namespace
 
-/// The first letter chooses the exercise, the rest is what is handed in.
+/// Judges a submission: the first byte of the input chooses the exercise, the rest is handed in.
 bool check_files(const std::string& input) {
     if (input.empty()) { return false; }
     const Task& task = tasks()[static_cast<unsigned char>(input[0]) % tasks().size()];

@@ -22,7 +22,7 @@ const Instant& instant() {
     return arbitrary;
 }
 
-/// Braces around nothing come and go.
+/// LaTeX without its braces, since braces around nothing come and go.
 std::string without_braces(std::string latex) {
     std::erase_if(latex, [](char c) { return c == '{' || c == '}'; });
     return latex;
@@ -51,7 +51,7 @@ void promise_evaluated_or_explained(const std::string& source) {
     }
 }
 
-/// Promises of the name of a quantity, for the same bytes.
+/// Promises about the same bytes, read as the name of a quantity.
 void promise_same_name(const std::string& text) {
     const Mechanism& m = instant().system->mechanism();
     const auto read = read_name(text, m);

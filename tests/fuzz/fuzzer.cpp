@@ -1,5 +1,5 @@
-// A target for libFuzzer, which brings main and looks for inputs that reach new code. JW_FUZZ_TARGET names
-// it.
+// A target for libFuzzer, which provides main and looks for inputs that reach new code. JW_FUZZ_TARGET is the
+// name of the target.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -30,7 +30,7 @@ int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
     const char* const name = std::getenv("JW_FUZZ_TARGET");
     target = &jw::fuzz::target_called(name == nullptr ? "" : name);
     words = jw::fuzz::read_words(std::string(JW_FUZZ) + "/words/" + target->name + ".dict");
-    // what a target makes once for all inputs is made here, where no clock runs
+    // objects that a target makes once for all inputs are made here, where no time limit runs
     for (const jw::fuzz::Kept& kept :
          jw::fuzz::kept_inputs(std::string(JW_FUZZ) + "/corpus/" + target->name)) {
         LLVMFuzzerTestOneInput(reinterpret_cast<const uint8_t*>(kept.text.data()), kept.text.size());
@@ -48,7 +48,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     return 0;
 }
 
-/// Whole words half of the time: keys and values that mean something get past the first reader.
+/// Mutates by whole words half of the time: keys and values that have a meaning get past the parser.
 size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max_size, unsigned seed) {
     std::mt19937 random(seed);
     if (size == 0 || seed % 2 == 0) { return LLVMFuzzerMutate(data, size, max_size); }

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-/// Everything that reads what strangers wrote, with what it promises for any bytes at all. libFuzzer and the
-/// replay of kept inputs run the same functions.
+/// Readers of untrusted input, with their promises for any bytes. libFuzzer and the replay of kept inputs run
+/// the same functions.
 namespace jw::fuzz {
 
 /// An input for which a promise was not kept: what was promised, and what came instead.
@@ -19,14 +19,14 @@ public:
 void promise(bool kept, const std::string& promise);
 
 struct Target {
-    const char* name;  ///< of its folder in tests/fuzz/corpus, and of its words there
+    const char* name;  ///< also of its folder in tests/fuzz/corpus and its list of words
     const char* promises;
-    /// @return whether the input was understood: promises about what was read were asked for
+    /// @return whether the input was understood, so that promises about its contents were checked
     /// @throws Broken if a promise is not kept; nothing else may be thrown
     bool (*check)(const std::string& input);
 };
 std::span<const Target> targets();
-/// @throws std::invalid_argument naming all targets, if there is none of this name
+/// @throws std::invalid_argument with the names of all targets if none has this name
 const Target& target_called(std::string_view name);
 
 // the targets

@@ -31,7 +31,7 @@ Exercise read(const Wanted& wanted) {
 }
 
 std::vector<Task> made() {
-    // tasks point to their exercises
+    // static, because tasks point to their exercises
     static const std::vector<Exercise> exercises = [] {
         std::vector<Exercise> all;
         std::ranges::transform(kWanted, std::back_inserter(all), read);

@@ -12,7 +12,7 @@ namespace jw::fuzz {
 /// @throws std::runtime_error if the file cannot be read, a line is none of these, or there is no word
 std::vector<std::string> read_words(const std::filesystem::path& file);
 
-/// Kept inputs of a target, by the names of their files.
+/// Kept input of a target, with the name of its file.
 struct Kept {
     std::string name;
     std::string text;

@@ -2,7 +2,7 @@
 
 #include "tests/hard/hard_case.hpp"
 
-/// The cases, by the file they are in.
+/// The hard cases, grouped by the file that holds them.
 namespace jw::hard {
 
 // kept_pair.cpp

@@ -19,16 +19,16 @@ constexpr double kSecondsPerTurn = 4.0;  // of the lesson's motor: 90 deg a seco
 struct Journey {
     int frames = 0;
     int on_branch = 0;
-    int said = 0;  ///< frames that were said to be change points
+    int said = 0;  ///< frames that were reported as change points
 
     void add(const State& state) {
         const double turn = 2.0 * state.p[2].tail<3>().norm();
-        // 1e-6: at a change point Newton's tolerance fixes a position to its root, 3e-7
+        // 1e-6: at a change point a position is known to the square root of Newton's tolerance, 3e-7
         on_branch += turn < 1e-6 ? 1 : 0;
     }
 };
 
-/// Starts each Newton at the last pose, and accepts whatever that finds.
+/// Starts each Newton iteration at the last pose, and accepts any pose that it finds.
 Journey by_newton_from_last_pose(const Lesson& lesson, State state, int frames_per_turn) {
     const System system(lesson.mechanism, everything(lesson.mechanism));
     NewtonStepper<OmegaLocal> newton(system);
@@ -79,7 +79,7 @@ Result parallelogram_through_change_points() {
         result.measurements.push_back(
             of_ours("frames reported as change points", double(ours.said), exactly(2.0 * kTurns)));
     }
-    const Journey beside = by_tracker(lesson, start, 50);  // 1.8 deg beside them at the least
+    const Journey beside = by_tracker(lesson, start, 50);  // at least 1.8 deg from the change points
     result.measurements.push_back(of_ours(
         "on the branch, of 150 that step over these points", double(beside.on_branch), exactly(150.0)));
     return result;

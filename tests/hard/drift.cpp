@@ -8,7 +8,7 @@ namespace {
 
 struct LongRun {
     double violation = 0.0;
-    double energy = 0.0;  ///< change, by the energy of the fall
+    double energy = 0.0;  ///< change, relative to the energy of the fall
 };
 
 /// rk4 with steps of 20 ms for 200 s: some 90 swings.

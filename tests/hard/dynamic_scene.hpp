@@ -8,7 +8,7 @@
 #include "core/integrate/runge_kutta.hpp"
 #include "tests/hard/hard_case.hpp"
 
-/// Lessons of dynamics as material of the cases, and what a trajectory of theirs is worth.
+/// Lessons of dynamics for the hard cases, and the errors of their trajectories.
 namespace jw::hard {
 
 struct DynamicScene {
@@ -31,11 +31,11 @@ struct Trajectory {
     double energy = 0.0;
     double violation = 0.0;
     IntegrationCounts counts;
-    bool arrived = false;  ///< at the end
+    bool arrived = false;  ///< the run reached the end
 };
 using See = std::function<void(const std::vector<double>& y)>;
 /// @param share of the reference's time
-/// @param see gets the flat state at every time of the reference
+/// @param see callback, called with the flat state at every time of the reference
 Trajectory run_of(
     const DynamicScene& scene, const SimulationSettings& settings, double share = 1.0, const See& see = {});
 

@@ -47,7 +47,7 @@ Result energy_is_not_accuracy() {
         "the energy is right up to rounding because it was corrected, but the chain is at a completely "
         "different place.";
     result.ours = "both errors are shown separately.";
-    // rounding against metres for the naive one; a hundred times the tolerance for ours
+    // naive: an energy right to rounding, but a position off by metres; ours: a hundred times the tolerance
     result.measurements = {
         of_both(
             "change of energy, by the kinetic energy", naive.energy(), at_most(1e-12), fine.energy,

@@ -13,7 +13,7 @@ namespace jw::hard {
 
 namespace {
 
-/// The first joint of a lesson alone, its second body turned by `angle` from where the joint wants it.
+/// A lesson's first joint alone, its second body turned by `angle` from an orientation that satisfies it.
 State turned_away(const Mechanism& mechanism, const State& good, const Vec3& axis, double angle) {
     State state = good;
     const auto j = static_cast<std::size_t>(mechanism.joints[0].body_j);
@@ -29,7 +29,7 @@ double axes_cosine(const Joint& joint, const State& state) {
     return s_i.dot(s_j);
 }
 
-/// Newton as on slide 23, whole steps, and no questions asked afterwards.
+/// Result of Newton's method of slide 23 with full steps, which is not checked afterwards.
 struct Ended {
     bool closed = false;
     State state;
@@ -100,7 +100,7 @@ Result anti_parallel_start() {
         "not as intended, of 18 starts 5 to 175 deg off",
         double(sweep.naive_wrong + sweep.starts - sweep.naive_closed), at_least(8.0),
         double(sweep.starts - sweep.ours_right), exactly(0.0)));
-    // half way between the two: the equations have lost their rank there, and no side is nearer
+    // half way between the two solutions the equations lose rank, and neither solution is nearer
     result.measurements.push_back(of_ours(
         "exactly 90 deg off: reported as singular (1)",
         !at_90.ok() && at_90.failure->cause == FailureCause::singular ? 1.0 : 0.0, exactly(1.0)));

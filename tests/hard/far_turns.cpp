@@ -25,7 +25,7 @@ Mechanism with_kept_pairs(const Mechanism& mechanism) {
     return kept;
 }
 
-/// J θ̈ = -k θ with θ taken from the pose of the disc, which knows it up to whole turns.
+/// J θ̈ = -k θ with θ taken from the pose of the disc, which gives θ only up to whole turns.
 double naive_angle(double stiffness, double inertia, double omega, double duration) {
     std::vector<double> y{0.0, omega};
     const auto f = [&](double, const double* at, double* rate) {
@@ -53,7 +53,7 @@ Result pair_kept_while_falling() {
         "separated, and the links fall differently.";
     result.ours = "the rule is applied after every step, and no step turns a link by more than 0.4 rad.";
     result.measurements = {
-        // the chain is 4 m long; ours: some 50 steps within 1e-7 of it, carried on by a motion that spreads
+        // the chain is 4 m long; ours: some 50 steps within 1e-7 of it, and the motion magnifies errors
         of_both("free end off by [m]", naive.position, at_least(0.5), ours.position, at_most(2e-5)),
         of_both("kept equations off by", naive.violation, at_most(1e-6), ours.violation, at_most(1e-6)),
         of_both("change of energy", naive.energy, any(), ours.energy, at_most(1e-5)),

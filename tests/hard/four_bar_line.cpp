@@ -56,7 +56,7 @@ Result four_bar_through_its_line() {
         of_both(
             "1 window: largest turn of the coupler [deg]", naive_one.coupler_turn, at_least(30.0),
             ours_one.coupler_turn, at_most(1e-4)),
-        // by the largest kinetic energy; the tolerance is 1e-9 a step
+        // relative to the largest kinetic energy; the tolerance is 1e-9 a step
         of_both(
             "1 window: change of energy", naive_one.run.energy, any(), ours_one.run.energy, at_most(1e-7)),
         of_ours("4 windows: arrived after 10 s", ours_four.run.arrived, exactly(1)),

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-/// The hard cases: what a naive method does where mechanisms are at their worst, run and not told, and what
-/// Jointwise does there. Every case is a test too: its numbers have bounds.
+/// The hard cases: mechanisms on which a naive method fails. The naive method is run, not only described, and
+/// so is Jointwise. Every case is also a test: its numbers have bounds.
 namespace jw::hard {
 
 /// Limits of a number; without limits it is only shown.
@@ -28,7 +28,7 @@ struct Bounded {
     Bounds bounds;
 };
 
-/// One line of a case: the same quantity by both, or by one of them.
+/// One line of a case: the same quantity from both methods, or from one of them.
 struct Measurement {
     std::string what;  ///< with its unit
     std::optional<Bounded> naive;
@@ -45,22 +45,22 @@ inline Measurement of_ours(std::string what, double value, Bounds bounds = any()
 }
 
 struct Result {
-    std::string naive;  ///< what it did, one or two sentences
+    std::string naive;  ///< what the naive method did, one or two sentences
     std::string ours;
     std::vector<Measurement> measurements;
 };
 
 struct Case {
-    std::string_view name;  ///< of the command line: lower case and hyphens
+    std::string_view name;  ///< on the command line: lower case and hyphens
     std::string_view title;
     std::string_view hard;          ///< what is hard about it, one or two sentences
-    std::string_view naive_method;  ///< what is run as the naive one
+    std::string_view naive_method;  ///< method that is run as the naive one
     std::string_view our_method;
-    std::string_view lesson;  ///< that shows it, below lessons/catalogue
+    std::string_view lesson;  ///< lesson that shows the case, below lessons/catalogue
     Result (*run)();
 };
 
-/// All of them, in the order of the page.
+/// All cases, in the order of the page.
 std::span<const Case> cases();
 
 /// Bounds that do not hold, one sentence each; empty if all do.

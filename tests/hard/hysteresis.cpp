@@ -81,7 +81,7 @@ Result axis_at_the_diagonal() {
     result.ours =
         "the choice is kept until the component that is left out is below 0.8 of the largest. The condition "
         "number can then reach √3 / 0.8 instead of √3.";
-    // two in three of 20000 random samples choose another component than the one before
+    // two in three of 20000 random samples choose another component than the sample before
     result.measurements.push_back(of_both(
         "switches in 20000 poses at (1, 1, 1) ± 1e-12", double(noise.naive), at_least(10000.0),
         double(noise.ours), exactly(0.0)));

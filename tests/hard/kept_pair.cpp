@@ -32,7 +32,7 @@ void look_at(const System& system, const State& state, double t, Worst& worst) {
 
 }  // namespace
 
-/// Both look at the same poses: those that the rule finds.
+/// Measures both at the same poses: those that the rule finds.
 Result kept_pair_at_right_angle() {
     const Lesson lesson = shipped_lesson("parallel/which-two-of-three.toml");
     System by_rule(lesson.mechanism, everything(lesson.mechanism));
@@ -60,7 +60,7 @@ Result kept_pair_at_right_angle() {
     result.measurements.push_back(of_both(
         "least rank of the 12 rows in one turn", double(naive.rank), at_most(11), double(ours.rank),
         exactly(12)));
-    // 2.17 is the worst pair of the rule; the whole matrix has lengths besides
+    // 2.17 is the condition of the worst pair that the rule keeps; the whole matrix also contains lengths
     result.measurements.push_back(
         of_both("worst condition number", naive.condition, at_least(1e12), ours.condition, at_most(20.0)));
     result.measurements.push_back(

@@ -25,7 +25,7 @@ Lesson with_masses_apart(Lesson lesson) {
     return lesson;
 }
 
-/// Slide 24 at the start, with independent rows only.
+/// Equations of slide 24 at the start, with independent rows only.
 struct Written {
     MatrixX mass, jacobian;
     VectorX force, gamma;
@@ -58,7 +58,7 @@ VectorX true_accelerations(const Written& w) {
     return LongVector(whole.partialPivLu().solve(right)).head(n).cast<double>();
 }
 
-/// λ from Φq M⁻¹ Φqᵀ, as most programs have it.
+/// Accelerations with λ from Φq M⁻¹ Φqᵀ, as most programs compute them.
 VectorX by_schur_complement(const Written& w) {
     const VectorX inverse_mass = w.mass.diagonal().cwiseInverse();  // J' of these rods is diagonal
     const MatrixX schur = w.jacobian * inverse_mass.asDiagonal() * w.jacobian.transpose();
@@ -67,7 +67,7 @@ VectorX by_schur_complement(const Written& w) {
     return free + inverse_mass.cwiseProduct(w.jacobian.transpose() * lambda);
 }
 
-/// Rank of Φq M⁻¹ Φqᵀ with the usual relative threshold: masses have a say.
+/// Rank of Φq M⁻¹ Φqᵀ with the usual relative threshold: it depends on the masses.
 double rank_by_mass(const Written& w) {
     const MatrixX schur = w.jacobian * w.mass.diagonal().cwiseInverse().asDiagonal() * w.jacobian.transpose();
     Eigen::FullPivLU<MatrixX> lu(schur);
@@ -113,7 +113,7 @@ Result masses_eighteen_decades_apart() {
         of_both(
             "rank found, of 29", rank_by_mass(w), at_most(28.0),
             double(equations->rows() - equations->rows_left_out()), exactly(29)),
-        // 16 digits less those of the condition of Φq, 1e2
+        // 16 digits, less the two that the condition of Φq, 1e2, costs
         of_both(
             "error of accelerations, by the largest", largest(naive - truth) / size, at_least(1e-2),
             largest(ours - truth) / size, at_most(1e-12)),

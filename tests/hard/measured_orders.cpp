@@ -28,7 +28,7 @@ public:
         while (stepper.t() < end() && stepper.step(end())) {}
         return error_of(stepper.y());
     }
-    /// log2 of what halving the steps brings.
+    /// Order: log2 of the ratio of the errors with `steps` and with twice as many.
     template <class Stepper, class... Table>
     double order(int steps, const Table&... table) const {
         return std::log2(error<Stepper>(steps, table...) / error<Stepper>(2 * steps, table...));
@@ -75,7 +75,7 @@ std::vector<double> moved(
         for (std::size_t s = 0; s < 4; ++s) {
             if (k[s].empty() || w[s] == 0.0) { continue; }
             for (std::size_t n = 0; n < kNumbersPerBody; ++n) { out[body + n] += h * w[s] * k[s][n + body]; }
-            // ω' = 2 L ṗ at the stage is kept where p's rate was
+            // k holds ω' = 2 L ṗ of the stage in the place of the rate of p
             turn += h * w[s] * vec3(k[s].data() + body + 3);
         }
         vec4(out.data() + body + 3) = turned_local(vec4(y.data() + body + 3), turn);
@@ -83,7 +83,7 @@ std::vector<double> moved(
     return out;
 }
 
-/// The classical method of fourth order with such turns.
+/// The classical method of fourth order with these averaged turns.
 std::vector<double> Halving::by_averaged_turns(int steps) const {
     const auto equations = block_equations(centroidal_);
     std::vector<double> y = start_;
@@ -111,7 +111,7 @@ std::vector<double> Halving::by_averaged_turns(int steps) const {
 
 }  // namespace
 
-/// Steps so few that rounding has no say, and so many that the order shows.
+/// The steps are few enough that rounding has no effect, and many enough that the order shows.
 Result orders_measured() {
     const DynamicScene scene = shipped_scene("dynamics/chain-spherical-4.toml");
     const Halving by(scene);

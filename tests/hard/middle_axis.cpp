@@ -79,7 +79,7 @@ Result turning_about_the_middle_axis() {
         "with 1000 steps a second the motion looks smooth, but the energy grows, and the time until the body "
         "turns over depends on tiny differences.";
     result.ours = "every flip comes at the time that the elliptic functions give.";
-    // the knob is 0.17 m out: 0.1 m is another attitude. Ours: 1e-12 a step, carried on by each flip
+    // the knob is 0.17 m out: 0.1 m is another attitude. Ours: 1e-12 a step, magnified by each flip
     result.measurements = {
         of_both("position error in 20 s [m]", naive.position, at_least(0.1), ours.position, at_most(1e-8)),
         of_both("change of energy in 20 s", naive.energy, any(), ours.energy, at_most(1e-10)),

@@ -79,7 +79,7 @@ Result million_steps_of_a_free_body() {
         of_ours("semi-implicit: energy", semi.energy),
         of_ours("semi-implicit: angular momentum", semi.momentum),
         of_both("rk4, 10 ms: |p| - 1", rk4.p, at_least(1e-9), rk4_unit.p, rounding),
-        // (h ω)^5 a step by the million
+        // (h ω)^5 a step, times a million
         of_both("rk4: energy", rk4.energy, any(), rk4_unit.energy, at_most(1e-2)),
         of_both("rk4: angular momentum", rk4.momentum, any(), rk4_unit.momentum, at_most(1e-2)),
         of_ours("explicit-8, 10 ms: |p| - 1", order_8.p, rounding),

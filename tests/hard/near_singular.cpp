@@ -10,7 +10,7 @@ namespace jw::hard {
 
 namespace {
 
-/// The lesson's parallelogram put together by hand with its crank at φ, turned by 1 rad/s and 1 rad/s².
+/// The lesson's parallelogram assembled by hand with its crank at φ, turned by 1 rad/s and 1 rad/s².
 Mechanism parallelogram_at(Mechanism mechanism, double phi) {
     const Vec3 along(std::cos(phi), 0.0, std::sin(phi));
     const Vec4 p = euler_parameters_of(-Vec3::UnitY(), phi);

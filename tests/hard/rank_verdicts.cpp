@@ -68,7 +68,7 @@ Result loops_turned_at_random() {
     result.measurements.push_back(of_both(
         "freedoms found, least of the four", double(least_counted), exactly(-9.0), double(verdicts.least_dof),
         exactly(1.0)));
-    // σ_r is some 0.1; redundant ones are half the position error, which Newton brings below 1e-13
+    // σ_r is some 0.1; those of redundant rows are half the position error, which Newton brings below 1e-13
     result.measurements.push_back(of_ours("least margin σ_r / σ_r+1", verdicts.least_margin, at_least(1e11)));
     // n1 pair, since the rule keeps other rows in other positions; 1e-12: a thousand roundings of p
     result.measurements.push_back(
@@ -101,7 +101,7 @@ Result long_and_short_vectors() {
         "vectors is so large that its rounding is taken for an equation.";
     result.ours = "the numbers are the same as for unit vectors.";
     const double all = double(kKnownLoops.size()) * kRotations;
-    // elimination with full pivoting survives where the lengths happen to be alike
+    // elimination with full pivoting gives the right rank where the lengths happen to be alike
     result.measurements.push_back(of_both(
         "right ranks, of 200", double(verdicts.naive_right), at_most(0.8 * all), double(verdicts.right),
         exactly(all)));

@@ -7,12 +7,12 @@
 #include "tests/hard/cases.hpp"
 #include "tests/hard/variants.hpp"
 
-/// Equations that repeat others: do they still when the geometry is not quite what it was?
+/// Redundant equations: whether they stay redundant when the geometry changes slightly.
 namespace jw::hard {
 
 namespace {
 
-/// Takes out for good what is redundant at the start pose, as programs do that want a regular matrix.
+/// Removes for good the rows that are redundant at the start pose, as programs do that need a regular matrix.
 Mechanism without_redundant_rows(Mechanism mechanism) {
     const System system(mechanism, everything(mechanism));
     for (const RedundantRow& redundant : verdict_on(mechanism).redundant_rows) {
@@ -41,10 +41,10 @@ Mechanism tilted(Mechanism mechanism, const Vec3& about, double angle) {
 struct Tilts {
     int count = 0;
     int naive_closed = 0;
-    double naive_misfit = 0.0;  ///< of an equation left out, over the tilt
+    double naive_misfit = 0.0;  ///< of an equation that was left out, divided by the tilt
     int refused = 0;
     int cannot_close = 0;
-    int closed_with_fewer = 0;  ///< R-S-C-R
+    int closed_with_fewer = 0;  ///< tilted R-S-C-R loops that closed
 };
 
 void try_tilt(const Vec3& about, double angle, Tilts& tilts) {
@@ -67,8 +67,8 @@ void try_tilt(const Vec3& about, double angle, Tilts& tilts) {
     tilts.closed_with_fewer += solved(rscr, other).ok() && misfit(rscr, other) < 1e-12 ? 1 : 0;
 }
 
-/// Other lengths: every joint moved by up to `distance`, its axis turned by up to `turn`, in both of its
-/// bodies, so that the loop closes as before.
+/// The mechanism with other lengths: every joint moved by up to `distance`, its axis turned by up to `turn`,
+/// in both of its bodies, so that the loop closes as before.
 Mechanism with_other_lengths(Mechanism mechanism, double distance, double turn, Dice& dice) {
     for (Joint& joint : mechanism.joints) {
         const Body& i = mechanism.bodies[static_cast<std::size_t>(joint.body_i)];
@@ -95,7 +95,7 @@ struct Loop {
     int with_lengths;     ///< with other lengths and the same directions
     int with_directions;  ///< with other directions, too
 };
-// rows minus columns is what no geometry can change: 2, 0, 2, 9
+// no geometry can change rows minus columns: 2, 0, 2, 9
 constexpr std::array kLoops{
     Loop{"four-bar", "loops/four-bar.toml", 3, 3, 2}, Loop{"Bennett", "loops/bennett.toml", 3, 2, 2},
     Loop{"Bricard", "loops/bricard.toml", 1, 0, 0},
@@ -122,7 +122,7 @@ Result tilted_axis() {
     // the tilt is a length of 1 times the angle in p1; the closest fit shares it out
     result.measurements.push_back(
         of_naive("largest miss of an equation, in tilts", tilts.naive_misfit, at_least(0.3)));
-    // at 0.01 rad about x the closest fit is reached too slowly for a proof: "did not settle" is said there
+    // at 0.01 rad about x the closest fit is reached too slowly for a proof; "did not settle" is reported
     result.measurements.push_back(
         of_ours("reported as impossible, of 12", double(tilts.cannot_close), at_least(11.0)));
     result.measurements.push_back(
@@ -163,7 +163,7 @@ Result accidental_redundancy() {
         const VectorX sigma = verdict_on(now).singular_values;
         margin = std::min(margin, sigma(17) / change);
     }
-    // the new equation is worth about the change; a hundredth leaves room for where the points happen to go
+    // σ of the new equation is about the change; a hundredth of it leaves room for the random points
     result.measurements.push_back(
         of_ours("Bennett: σ_18 / change, from 10^-2 to 10^-6", margin, at_least(0.01)));
     return result;

@@ -10,7 +10,7 @@ namespace jw::hard {
 
 namespace {
 
-/// Slide 24 with all rows, solved by a factorisation that decides its rank anew in every stage.
+/// Slide 24 with all rows, solved by a factorisation that decides its rank again in every stage.
 class RankInEveryStage final : public MotionEquations {
 public:
     explicit RankInEveryStage(const Centroidal& scene) : written_(scene), rest_(block_equations(scene)) {}
@@ -45,13 +45,13 @@ RowsVerdict RankInEveryStage::evaluate(double t, const double* y, double* y_dot)
     most_rank = std::max(most_rank, decomposition.rank() - n);
     const VectorX x = decomposition.solve(right);
     for (Eigen::Index k = 0; k < n; ++k) { y_dot[kNumbersPerBody * (k / 6) + 7 + k % 6] = x(k); }
-    // to this method all rows are kept
+    // this method keeps all rows
     return {1.0, std::max(verdict.violation, verdict.left_out)};
 }
 
 }  // namespace
 
-/// Both over the first two seconds.
+/// Compares both methods over the first two seconds.
 Result rank_in_every_stage() {
     const DynamicScene scene = shipped_scene("dynamics/bricard-falling.toml");
     const double share = 0.2;
@@ -76,8 +76,8 @@ Result rank_in_every_stage() {
     result.ours =
         "one set of rows is used for a whole step and is chosen again only when these rows become nearly "
         "dependent.";
-    // where a rank changes by rounding the naive count does, too: at least 5000 or 2000 were seen; ours is at
-    // most ten times what was measured
+    // rounding changes ranks, and with them the naive count: at least 5000 or 2000 were seen; the bound of
+    // ours is at most ten times the measured count
     result.measurements = {
         of_both(
             "evaluations for 2 s", evaluations, at_least(5.0 * double(ours.counts.evaluations)),

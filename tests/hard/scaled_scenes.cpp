@@ -77,7 +77,7 @@ Path path_in_si(const Lesson& lesson, double tolerance, double duration) {
     return path;
 }
 
-/// The lesson turned about the origin, gravity and all.
+/// The lesson and its gravity turned about the origin.
 Lesson lesson_turned(Lesson lesson, const Vec4& p) {
     lesson.mechanism = moved_rigidly(std::move(lesson.mechanism), p);
     lesson.dynamics->loads.gravity = rotation_matrix(p) * lesson.dynamics->loads.gravity;

@@ -45,7 +45,7 @@ struct Row {
     }
 };
 
-/// Driven through two turns by Newton from pose to pose: how far the nut is from where its thread has it.
+/// Largest error of the nut's angle in two turns that Newton's method drives from pose to pose [deg].
 double error_after_two_turns(ScrewAngleForm form) {
     Lesson lesson = screw_lesson(ScrewAngleForm::rotation);
     const State start = assembled(lesson);
@@ -86,7 +86,7 @@ Result cosine_row_at_half_turns() {
     // closed form √(2 + α²), α = 0.12 m / 2π
     result.measurements.push_back(of_both(
         "worst condition number there", naive.condition, at_least(1e9), ours.condition, at_most(1.415)));
-    // Newton's tolerance is 1e-13 rad; degrees, and ten times that for what is added up
+    // Newton's tolerance is 1e-13 rad; the bound is in degrees, with a factor of ten for accumulated errors
     result.measurements.push_back(of_both(
         "error of the nut's angle in two turns [deg]", error_after_two_turns(ScrewAngleForm::cosine),
         at_least(90.0), error_after_two_turns(ScrewAngleForm::rotation), at_most(1e-10)));

@@ -4,14 +4,14 @@
 
 #include "lessons/lesson/lesson.hpp"
 
-/// Lessons that come with the program, as material of the cases.
+/// Lessons that come with the program, for the hard cases.
 namespace jw::hard {
 
 /// @param name below lessons/catalogue
 /// @throws std::runtime_error if it cannot be read
 Lesson shipped_lesson(std::string_view name);
 
-/// The lesson assembled joint by joint, as it is told.
+/// State at the end of the lesson's story, which assembles it joint by joint.
 /// @throws std::runtime_error if it does not close
 State assembled(const Lesson& lesson);
 

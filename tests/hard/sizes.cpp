@@ -24,8 +24,7 @@ double misfit_with_absolute_stop(const System& system, const State& start) {
     return newton.assembler().phi().cwiseAbs().maxCoeff();
 }
 
-/// A mechanism and the same `factor` times as large, on one ground; the frame of the ground is the global
-/// one.
+/// A mechanism and a copy that is `factor` times as large, on one ground, whose frame is the global one.
 Mechanism beside_a_small_one(const Mechanism& large, double factor) {
     Mechanism both = large;
     const Mechanism small = scaled(large, factor);
@@ -38,7 +37,7 @@ Mechanism beside_a_small_one(const Mechanism& large, double factor) {
     return both;
 }
 
-/// Both disturbed by the same part of their sizes.
+/// State with both mechanisms disturbed by the same fraction of their sizes.
 State disturbed_side_by_side(const Mechanism& large, const Mechanism& both, double factor, Dice& dice) {
     const State big = disturbed(large, dice);
     State state = start_state(both);
@@ -86,13 +85,12 @@ Result loops_of_any_size() {
     result.measurements.push_back(of_both(
         "right ranks, of 52", double(verdicts.naive_right), at_most(48.0), double(verdicts.right),
         exactly(52.0)));
-    // between two units lengths are up to 32 times the unit or a 32nd of it, which takes 1.5 digits of 11
-    // twice
+    // lengths are between a 32nd of the unit and 32 times the unit, which costs 1.5 of 11 digits twice
     result.measurements.push_back(of_ours("least margin σ_r / σ_r+1", verdicts.least_margin, at_least(1e8)));
     // the unit goes in steps of 1000; pow and the products round
     result.measurements.push_back(
         of_ours("largest change of σ at 10^±3, 10^±6, in σ_1", change, at_most(1e-12)));
-    // Newton's tolerance is 1e-13 of the unit, the largest coordinate is up to 32 units
+    // Newton's tolerance is 1e-13 of the unit; the largest coordinate is up to 32 units
     result.measurements.push_back(of_both(
         "worst misfit after Newton, in machine sizes", naive_misfit, at_least(0.01), misfit, at_most(1e-11)));
     return result;

@@ -18,8 +18,8 @@ Result stiff_governor() {
     Result result;
     result.naive = "the dampers require short steps at any tolerance, so a lower accuracy saves nothing.";
     result.ours = "the step follows the visible motion, and errors follow the tolerance.";
-    // stability bounds the naive steps, whatever the tolerance: half of what was measured is its least;
-    // ours has twice what was measured, and errors of a hundred tolerances and ten
+    // stability limits the naive steps at any tolerance: the lower bound is half the measured count; ours has
+    // twice what was measured, and errors of a hundred tolerances and ten
     result.measurements = {
         of_both(
             "evaluations in 1 s, tolerance 1e-3", double(naive_coarse.counts.evaluations), at_least(5000),

@@ -63,7 +63,7 @@ struct Velocities {
     LinearVerdict verdict;
 };
 
-/// Speed of the second shaft.
+/// Speed of the second shaft by both methods.
 Velocities velocities_of(const Mechanism& mechanism) {
     const System system(mechanism, everything(mechanism));
     Kinematics<OmegaLocal> kinematics(system);
@@ -130,7 +130,7 @@ Result parallel_arms() {
     // 0.5 rad
     result.measurements.push_back(
         of_both("largest turn in one step [deg]", naive_step, at_least(1e8), step, at_most(28.7)));
-    // the nearest solution is 90 deg away; the point is held besides
+    // the nearest solution is 90 deg away; besides, the point stays fixed
     result.measurements.push_back(of_ours("largest turn from start to solution [deg]", turn, at_most(91.0)));
     result.measurements.push_back(
         of_naive("exactly parallel: closed (1)", naive.converged ? 1.0 : 0.0, exactly(0.0)));
@@ -165,7 +165,7 @@ Result bend_of_90_degrees() {
     result.measurements.push_back(of_both(
         "relative error of the ratio at 89.99999 deg", std::abs(fast.naive_ratio / ratio - 1.0), any(),
         std::abs(fast.ratio / ratio - 1.0), at_most(1e-8)));
-    // asked for is 1 rad/s; the miss of a contradiction is a part of it, that of rounding some 1e-16
+    // 1 rad/s is prescribed; a contradiction misses it by a fraction of that, rounding by some 1e-16
     result.measurements.push_back(of_both(
         "locked shaft driven: largest miss of an equation", locked.naive_miss, at_least(0.05),
         locked.verdict.residual, at_least(0.05)));

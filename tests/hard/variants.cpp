@@ -70,7 +70,7 @@ int mobility_by_counting(const Mechanism& mechanism) {
 }
 
 Vec3 Dice::vector(double size) {
-    // one number after the other: the order of a call's arguments is the compiler's choice
+    // one number after the other: the compiler chooses in which order it evaluates arguments
     Vec3 v;
     for (double& entry : v) { entry = number(-size, size); }
     return v;

@@ -8,7 +8,7 @@
 #include "core/poses/rank.hpp"
 #include "lessons/lesson/lesson.hpp"
 
-/// The mechanisms of lessons altered, so that one can see whether verdicts stay.
+/// Altered mechanisms of lessons, to see whether verdicts stay the same.
 namespace jw::hard {
 
 /// [rad]
@@ -20,7 +20,7 @@ Mechanism assembled_mechanism(std::string_view name);
 /// Assembled mechanism of a lesson that has been altered.
 Mechanism assembled_mechanism(const Lesson& lesson);
 
-/// p1 and p2 of all joints in this form.
+/// The mechanism with p1 and p2 of all joints in this form.
 Mechanism with_form(Mechanism mechanism, ParallelForm form);
 
 /// Φq in (r, ω') at the start pose, with its residuals.
@@ -33,11 +33,11 @@ Equations equations_of(const Mechanism& mechanism);
 /// Verdict of the program on all joints and drivers at the start pose, t = 0.
 RankReport verdict_on(const Mechanism& mechanism);
 
-/// Rank as a textbook has it: elimination with full pivoting, entries up to `threshold` are zero. Nothing is
+/// Rank as in a textbook: elimination with full pivoting; entries up to `threshold` are zero. Nothing is
 /// scaled.
 int rank_by_elimination(MatrixX matrix, double threshold);
 
-/// Least squares as a textbook has them: JᵀJ x = Jᵀb, which squares the condition number. Nothing is scaled.
+/// Least squares as in a textbook: JᵀJ x = Jᵀb, which squares the condition number. Nothing is scaled.
 VectorX by_normal_equations(const MatrixX& J, const VectorX& b);
 
 /// Grübler's count at all revolutes, prismatic joints ...: 6 for each moving body less what joints take.

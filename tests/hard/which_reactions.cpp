@@ -12,7 +12,7 @@ namespace jw::hard {
 
 namespace {
 
-/// Rows in the order given, each that the ones before do not imply.
+/// Rows, in the given order, that the rows before them do not imply.
 std::vector<int> pick(const MatrixX& jacobian, std::vector<int> order) {
     std::vector<int> rows;
     std::vector<VectorX> directions;
@@ -29,7 +29,7 @@ std::vector<int> pick(const MatrixX& jacobian, std::vector<int> order) {
     return rows;
 }
 
-/// λ with these rows (slide 25), and what it says each joint does to its body j.
+/// Wrenches of the joints on their bodies j, from λ with these rows (slide 25).
 std::vector<Wrench> wrenches_with(
     std::vector<int> rows, const DenseEquations<OmegaGlobal>& e, const Reactions& joints,
     const State& state) {
@@ -93,7 +93,7 @@ double not_unique(const Reactions& joints) {
 
 }  // namespace
 
-/// The four-bar on a table that leans: its weight pulls across its plane too.
+/// The four-bar on an inclined table: its weight also acts across its plane.
 Result which_reactions() {
     Lesson lesson = shipped_lesson("dynamics/four-bar-1.toml");
     lesson.dynamics->loads.gravity = Vec3(0.0, -9.0, -4.0);

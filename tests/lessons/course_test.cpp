@@ -69,7 +69,7 @@ TEST_CASE("Lessons come in the order of the course, the others behind them", "[l
     const std::vector<std::string> by_course{"z/b.toml", "z/a.toml", "z/0.toml", "m/x.toml",
                                              "m/y.toml", "0.toml",   "a/1.toml"};
     CHECK(names_below(school.path(), school.path()) == by_course);
-    // of a chapter alone, and of a folder around the course
+    // names in one chapter, and in a folder around the course
     CHECK(
         names_below(school.path() / "z", school.path()) ==
         std::vector<std::string>{"z/b.toml", "z/a.toml", "z/0.toml"});
@@ -103,7 +103,7 @@ TEST_CASE("A chapter without a folder is told with its place", "[lessons][course
         told, Catch::StartsWith(file.string() + ":11:8: error: there is no folder 'loop' beside this file"));
     CHECK_THAT(told, Catch::Contains("did you mean 'loops'?"));
     CHECK_THAT(read_lesson_file(file).report(), Catch::Contains(":11:8: error: there is no folder 'loop'"));
-    // of a chapter alone the others are not asked for
+    // reading one chapter does not ask for the others
     CHECK(course_lessons(school.path() / "z").report.empty());
     CHECK(names_below(school.path() / "z", school.path()).front() == "z/b.toml");
     fs::create_directory(school.path() / "loop");

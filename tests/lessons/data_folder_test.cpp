@@ -31,7 +31,7 @@ TEST_CASE("A program deep in a build tree has the data of that tree", "[lessons]
     const Tree tree;
     tree.put_data();
     const fs::path deep = tree.path() / "tests" / "app" / "run" / "program";
-    // a folder that only has data is no build tree: its owner may be somebody else
+    // a folder that only has data is not a build tree: its owner may be somebody else
     CHECK(data_folder_of(deep) != tree.path() / "share" / "jointwise");
     std::ofstream(tree.path() / "CMakeCache.txt") << "#\n";
     CHECK(data_folder_of(deep) == tree.path() / "share" / "jointwise");

@@ -18,7 +18,7 @@ struct Case {
     std::string says;
 };
 
-/// Puts the keys of a mass behind the name of each body, the bodies standing first.
+/// Inserts the keys of a mass after the first line of each body, its name.
 void give_masses(std::string& lesson) {
     const std::string header = "[[body]]\n";
     for (std::size_t at = lesson.find(header); at != std::string::npos; at = lesson.find(header, at + 1)) {

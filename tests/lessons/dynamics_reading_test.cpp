@@ -138,13 +138,13 @@ frame = "local"
     CHECK(constant.direction == Vec3(0, 0, 5));
     CHECK(constant.frame == Frame::global);
     CHECK(constant.magnitude.at(1.5).f == 1.0);
-    // by direction the function is in N: 10 N + 2 N/s t along a unit vector, at the centre of mass
+    // given a direction, the function is in N: 10 N + 2 N/s t along a unit vector, at the centre of mass
     const AppliedForce& growing = loads.forces[1];
     CHECK(growing.point_local == Vec3(0, 0, 0.5));
     CHECK(is_near(growing.direction, Vec3(0, 0.6, 0.8)));
     CHECK(growing.frame == Frame::local);
     CHECK(growing.magnitude.at(1.0).f == 12.0);
-    // by the force itself it is a factor
+    // given the force itself, the function is a factor
     CHECK(loads.forces[2].direction == Vec3(0, 0, 5));
     CHECK(loads.forces[2].magnitude.at(1.0).f == 12.0);
     REQUIRE(loads.torques.size() == 1);

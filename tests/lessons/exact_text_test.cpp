@@ -43,7 +43,7 @@ TEST_CASE("Two numbers that differ get the fewest digits with which they read di
     CHECK(digits_apart(1e9 + 1.0, 1e9, 6) == 10);
     CHECK(digits_apart(-1e9 - 1.0, -1e9, 6) == 10);
     CHECK(digits_apart(0.1, std::nextafter(0.1, 1.0), 6) == 17);
-    // no digits tell them apart
+    // no number of digits tells them apart
     CHECK(digits_apart(0.1, 0.1, 6) == 6);
     CHECK(digits_apart(0.1, std::numeric_limits<double>::quiet_NaN(), 6) == 6);
 }
@@ -66,14 +66,14 @@ TEST_CASE("Degrees are written where they read back exactly, radians elsewhere",
     CHECK(in_radians < 100);
 }
 
-TEST_CASE("A vector made unit is unit for good", "[lessons][writing]") {
+TEST_CASE("Normalising a unit vector does not change it", "[lessons][writing]") {
     Random random(11);
     for (int k = 0; k < 2000; ++k) {
         const Vec3 unit = unit_of(random.vector(random.number(1e-6, 1e6)));
         CHECK(unit_of(unit) == unit);
         CHECK(unit_of(rotation_matrix(random.unit_p()) * unit).norm() == Approx(1.0).epsilon(1e-14));
     }
-    // as unit as thirteen digits can be is not unit
+    // a vector that is unit to thirteen digits is not a unit vector
     const Vec3 nearly(0.6, 0.8000000000001, 0.0);
     CHECK(unit_of(nearly) != nearly);
 }

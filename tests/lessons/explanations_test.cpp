@@ -8,7 +8,7 @@ using namespace jw;
 
 namespace {
 
-/// Codes of exercises: their pages are written with the reader of exercises, which gives them.
+/// True for codes of exercises: their pages are written with the reader of exercises, which gives them.
 bool has_no_page_yet(Code code) { return code >= Code::exercise_kind; }
 
 std::vector<Diagnostic> said_of(const Explanation& page, const std::string& example) {

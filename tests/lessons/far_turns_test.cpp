@@ -5,8 +5,8 @@
 #include "tests/lessons/support.hpp"
 #include "tests/support/dynamics_scenes.hpp"
 
-/// Large rotations: springs over several turns, axes that leave their pair of rows, drivers with nothing
-/// free.
+/// Large rotations: springs over several turns, axes that leave their pair of rows, drivers that leave no
+/// freedom.
 namespace jw {
 
 using test::all_ways;
@@ -64,7 +64,7 @@ TEST_CASE("A rotational spring is wound beyond half a turn, and over many", "[dy
 }
 
 TEST_CASE("Kept pairs follow their axes through all directions in every choice", "[dynamics][dense]") {
-    // a quarter turn of an axis takes the rank of the pair that it began with
+    // after a quarter turn of an axis, the pair of rows that was chosen at the start loses rank
     const Lesson chain = test::chain(test::ChainJoint::revolute, 4);
     for (const SimulationSettings& settings : all_ways(1e-7)) {
         CAPTURE(entry_of(settings.method).name, settings.dense ? static_cast<int>(*settings.dense) : -1);
@@ -77,7 +77,7 @@ TEST_CASE("Kept pairs follow their axes through all directions in every choice",
 
 TEST_CASE(
     "Where a driver leaves nothing free, no method passes over what lies between", "[dynamics][radau]") {
-    // two turns and a rest: an implicit method has no error of its own to hold it
+    // two turns and a rest: an implicit method has no error of its own that limits its steps
     const Lesson crank = lesson_of(
         "format = 1\ntitle = \"Driven crank-rocker\"\n"
         "[[body]]\nname = \"crank\"\nposition = [0, 0, 0.15]\nmass = 1\ninertia = [0.01, 0.01, 0.01]\n"
@@ -120,7 +120,7 @@ TEST_CASE("An implicit method passes a singular position or says that it cannot"
         settings.tolerance = tolerance;
         const Path path = path_of(four_bar, settings, {0.0, 0.5, 0.7, 0.8, 1.5, 3.0, 10.0});
         if (tolerance > 1e-9) { REQUIRE_FALSE(path.failed); }
-        // whatever was told before the end is true: 40 J move
+        // all results before the end are right: 40 J move
         for (const double energy : path.energies) { CHECK(std::abs(energy - path.energies[0]) < 1e-3); }
     }
 }

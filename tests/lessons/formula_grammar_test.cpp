@@ -14,7 +14,7 @@ namespace jw::formula::test {
 namespace {
 
 constexpr int kFormulas = 4000;
-// numbers are below 1e4 and some ten operations: more is no rounding
+// numbers below 1e4 and some ten operations: a larger difference is not rounding
 constexpr double kSame = 1e-11;
 
 /// A number with its first and second rate: derivatives by rules that know nothing of the evaluator's.
@@ -83,7 +83,7 @@ private:
         if (below(2) == 0) { return {a.text + " + " + b.text, a.is + b.is, true}; }
         return {a.text + " - " + factor(b), a.is - b.is, true};
     }
-    /// Side by side; parentheses where a function would take in what follows, or a digit another digit.
+    /// Written side by side, in parentheses: a function or a digit would take in what follows.
     Formula product(const Formula& a, const Formula& b) {
         return {"(" + a.text + ") (" + b.text + ")", a.is * b.is};
     }
@@ -184,7 +184,7 @@ Meanings meanings() {
         [=](const Symbol& symbol) -> std::optional<Value> {
             if (symbol == Symbol{"θ", 0, {}, {}}) { return value_of(kTheta); }
             if (symbol == Symbol{"x", 0, {}, {}}) { return value_of(kX); }
-            // as a pose has it that should be at x, and a small angle
+            // like the value in a pose that should be at x, and a small angle
             if (symbol == Symbol{"y", 0, {}, {}}) { return value_of({kX.value + 1e-12}); }
             if (symbol == Symbol{"φ", 0, {}, {}}) { return value_of({1e-8}); }
             return std::nullopt;
@@ -192,7 +192,7 @@ Meanings meanings() {
         {}};
 }
 
-/// Difference in parts of what it may be off by.
+/// Difference of both sides, relative to its scale.
 double part_of(const std::string& equation) {
     const Outcome outcome = evaluate_equation(math::own_math(equation), {}, meanings());
     INFO(equation);
@@ -205,7 +205,7 @@ std::string why_not(const std::string& equation) {
     return outcome.problem ? outcome.problem->message : "it has a value";
 }
 
-/// In the notation of formulas, which has no exponents; for numbers above 1e-2.
+/// Number in the notation of formulas, which has no exponents; for numbers above 1e-2.
 std::string digits(double x) {
     char text[40];
     std::snprintf(text, sizeof text, "%.17f", x);
@@ -228,7 +228,7 @@ TEST_CASE("Generated formulas have the values and the rates that they were made 
             return apart <= digits_lost * kSame * std::max(1.0, std::abs(expected));
         };
         REQUIRE(agrees(f.text, f.is.value, 1.0));
-        // as a program for numbers, too
+        // as a formula of plain numbers, too
         const double found = scalar_formula(f.text, variables).at(std::array{kX.value, kTheta.value});
         REQUIRE(std::abs(found - f.is.value) <= kSame * std::max(1.0, std::abs(f.is.value)));
         // terms of derivatives cancel

@@ -11,7 +11,7 @@ using namespace jw;
 
 namespace {
 
-/// Words that mean something to the reader, and values at the edge of what it takes.
+/// Words that the reader knows, and values at the limits of what it accepts.
 const std::vector<std::string> kWords{
     "nan",
     "inf",
@@ -180,7 +180,7 @@ TEST_CASE("Ten thousand damaged lessons are read or refused, never more", "[less
         // every report can be written, wherever its mark falls
         if (k % 10 == 0) { CHECK(result.report().size() < 200000); }
     }
-    // both roads are taken often enough to mean something
+    // both outcomes occur often enough to be tested
     CHECK(read > 400);
     CHECK(refused > 5000);
 }

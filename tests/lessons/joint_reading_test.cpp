@@ -193,7 +193,7 @@ TEST_CASE("A formula joint is computed as its text says, step by step", "[lesson
         CAPTURE(formula.source);
         CHECK(steps_of(formula.source) == formula.steps);
     }
-    // what is 0 or 1 in a matrix is not computed
+    // products with entries 0 and 1 of a matrix are not computed
     const std::string column = "\\begin{bmatrix} 0 \\\\ 1 \\\\ 0 \\end{bmatrix}";
     CHECK(steps_of("u_j^T \\mathbf{A}_i " + column + " = 0.5") == equation(dot(u_j, A_i_y), 0.5).steps);
     CHECK(steps_of("\\mathbf{s}_i \\cdot \\mathbf{d}") == equation(dot(s_i, d), 0.0).steps);

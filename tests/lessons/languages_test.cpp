@@ -205,7 +205,7 @@ TEST_CASE("Texts that a language lacks are counted, with their lines", "[languag
     };
     const std::vector<Diagnostic> warnings = warnings_of(kBilingual);
     REQUIRE(warnings.size() == 1);
-    // the title is there; why of the claim is for authors
+    // the title is translated; `why` of the claim is for authors
     CHECK_THAT(
         warnings[0].message, Catch::StartsWith("11 of 12 texts are not in de: those of the lines 4, 8, "));
     CHECK(warnings[0].severity == Severity::warning);

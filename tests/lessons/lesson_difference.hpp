@@ -13,8 +13,8 @@
 /// Lessons compared member by member.
 namespace jw::test {
 
-/// Finds the first member in which two values differ. Doubles are compared exactly. Where a claim stands in
-/// the file, and what the file is called, is no part of a lesson.
+/// Finds the first member in which two values differ. Doubles are compared exactly. The place of a claim in
+/// the file and the name of the file are not part of a lesson.
 class Difference {
 public:
     /// "mechanism.joints[2].geometry.s_i_local: 0 0 1 is not 0 0 2", empty if there is none.

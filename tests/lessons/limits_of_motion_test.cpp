@@ -4,7 +4,7 @@
 #include "tests/lessons/dynamics_paths.hpp"
 #include "tests/lessons/support.hpp"
 
-/// Motions that nothing allows, that begin late, or not at all.
+/// Motions that are impossible, that begin late, or that do not begin at all.
 namespace jw {
 
 using test::all_ways;
@@ -68,7 +68,7 @@ TEST_CASE("A driver that leads out of reach ends every run there, and is not fol
         const Path path = path_of(lesson, settings, times_until(1.0, 50));
         REQUIRE(path.failed);
         CHECK(path.failure.cause == Cause::out_of_reach);
-        // x = 0.5 at 0.5 s; fixed steps end with the one that goes beyond
+        // x = 0.5 at 0.5 s; fixed steps end with the step that goes beyond
         CHECK(path.failure.t == Approx(0.5).margin(2e-3));
         CHECK((path.failure.equation_of == "pull" || path.failure.equation_of == "pin"));
         CHECK(path.violation < 1e-6);
@@ -104,7 +104,7 @@ TEST_CASE("What begins at a singular position is not torn apart on leaving it", 
     for (const SimulationSettings& settings : all_ways(1e-6)) {
         CAPTURE(entry_of(settings.method).name, settings.dense.has_value());
         const Path path = path_of(lesson, settings, times_until(1.0, 50));
-        // held, or given up with a word before anybody sees a gap
+        // the constraints hold, or the run ends with a message before a gap can be seen
         CHECK(path.violation < 1e-4);
     }
 }

@@ -21,7 +21,7 @@ struct Written {
     const char* latex;
 };
 
-/// What the slides write.
+/// Formulas as the slides write them.
 const Written kFormulas[] = {
     {R"(\boldsymbol{\Phi}^{(p1,2)} \equiv \tilde{\mathbf{s}}_i \mathbf{s}_j = \mathbf{0})",
      "Φ(p1,2) ≡ s̃ᵢ sⱼ = 0",
@@ -191,7 +191,7 @@ TEST_CASE("MathML is well-formed and has every sign of the formula", "[lessons][
         "<math xmlns=\"http://www.w3.org/1998/Math/MathML\"><mrow><msub><mover "
         "accent=\"true\"><mi>&#119956;</mi>"
         "<mo>˙</mo></mover><mi>i</mi></msub><mo>&lt;</mo><mn>2</mn></mrow></math>");
-    // a sign of a number is none of a difference
+    // the sign of a number is not the operator of a difference
     const std::string prefix = "<mo form=\"prefix\">−</mo>";
     const std::string infix = "<mo>−</mo>";
     for (const char* number : {"-2", "a = -2", "(-2)", "a \\cdot -2"}) {

@@ -69,7 +69,7 @@ std::string with_named_targets(const std::string& text, const Mechanism& mechani
     return out;
 }
 
-/// Every name is that of one quantity only, and is read back as it.
+/// Checks that every name belongs to one quantity only, and is read back as that quantity.
 void check_names(const Mechanism& mechanism) {
     std::set<std::string> names;
     for (const NamedQuantity& named : every_quantity(mechanism)) {
@@ -140,7 +140,7 @@ struct AnyPath {
     std::shared_ptr<const Centroidal> scene;
 };
 
-/// Reactions, ranks and conditions have no derivatives; finding them at poses that are none takes long.
+/// True except for reactions, ranks and conditions, which take long at poses that are not assembled.
 bool has_derivatives(const Quantity& quantity) { return derivatives_of(quantity) > 0; }
 
 void check_derivatives(const Lesson& lesson, unsigned seed) {
@@ -155,15 +155,15 @@ void check_derivatives(const Lesson& lesson, unsigned seed) {
         double largest = 0.0;
         for (const double t : {-4e-3, 0.0, 4e-3}) { largest = std::max(largest, std::abs(value_at(t))); }
         if (now.absences[1] != Absence::none) { continue; }  // a corner, or an equation without a row
-        // a size has a corner at 0, and higher derivatives beside it
+        // a size has a corner at 0, and large derivatives near it
         if (std::holds_alternative<BodySizeQuantity>(named.quantity) && now.value() < 0.1) { continue; }
-        // a turn of an angle between two of the moments is no rate
+        // a jump of an angle by a turn between two of the moments is not a rate
         if (is_modulo_turn(named.quantity) && largest > 3.0) { continue; }
         const double rate = test::rate_by_difference(value_at);
         const double size = std::max({1.0, largest, std::abs(now.rate())});
         // thirty times what moved_along promises for sizes of 1 to 10: functions of time are up to 30 Hz.
-        // Stiff springs bend more: differences over twice the interval are 16 times as far off and tell by
-        // how much
+        // Stiff springs have larger derivatives: differences over twice the interval are 16 times as far off
+        // and show by how much
         const double coarse = 0.5 * test::rate_by_difference([&](double t) { return value_at(2.0 * t); });
         CHECK(std::abs(rate - now.rate()) < 1e-6 * size + 0.1 * std::abs(coarse - rate));
         if (derivatives_of(named.quantity) < 2 || now.absences[2] != Absence::none) { continue; }

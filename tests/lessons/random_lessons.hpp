@@ -106,8 +106,7 @@ inline DynamicsPlan random_dynamics(Random& random, const Mechanism& m, unsigned
     return plan;
 }
 
-/// Joints of every type, drivers of every kind, words and looks: all numbers random.
-/// Of the kinds that are clicked or dragged.
+/// Questions of the kinds that are clicked or dragged.
 inline std::vector<Question> random_questions(Random& random, const Lesson& lesson) {
     std::vector<Question> questions;
     for (const auto kind : {Thing::Kind::body, Thing::Kind::joint, Thing::Kind::vector, Thing::Kind::row}) {
@@ -126,6 +125,7 @@ inline std::vector<Question> random_questions(Random& random, const Lesson& less
     return questions;
 }
 
+/// Joints of every type, drivers of every kind, words and looks: all numbers random.
 inline Lesson random_lesson(unsigned seed) {
     Random random(seed);
     Lesson lesson;

@@ -73,7 +73,7 @@ TEST_CASE("The stiff governor ends where the reference says, in few evaluations"
         const End end = end_of(governor, settings_with(method, 1e-6));
         REQUIRE_FALSE(end.outcome.failure);
         CHECK(end.error < 1e-6);
-        // explicit methods are held to steps of stability: a hundred thousand evaluations
+        // stability limits the steps of explicit methods: they need a hundred thousand evaluations
         CHECK(end.outcome.counts.evaluations < 10000);
     }
 }

@@ -68,7 +68,7 @@ TEST_CASE("A Bennett linkage typed with five digits or more turns like the exact
         const Lesson lesson = lesson_of(lesson_text(bennett, random, with_digits));
         const State start = assembled(lesson.mechanism);
         CHECK(rank_of_joints(lesson.mechanism, start).rank == 17);
-        // numbers of size 1, wrong by half a unit: the angle by some tens of these
+        // numbers of size 1 are wrong by half a unit of the last digit, the angle by some tens of these
         CHECK(error_over_a_turn(bennett, lesson.mechanism, start) < 50.0 * std::pow(10.0, -digits));
     }
 }
@@ -82,7 +82,7 @@ TEST_CASE("Poses that were typed with five digits or more decide no rank", "[les
         CAPTURE(digits, pose, seed);
         Random random(seed);
         const Bennett bennett = random_bennett(random);
-        // an angle that loses its last zero would say less of itself
+        // an angle without its last zero would claim fewer digits
         const Style style{.digits = 15, .mixed = true, .pose_digits = digits, .pose = pose, .zeros = true};
         const ReadResult read = read_lesson(lesson_text(bennett, random, style), "test.toml");
         REQUIRE(read.lesson);
@@ -124,7 +124,7 @@ TEST_CASE("Axes of bodies tell the same whatever length they are typed with", "[
     }
 }
 
-TEST_CASE("Poses decide no rank through the sides that come from them", "[lessons][typed]") {
+TEST_CASE("Sides computed from poses do not affect the rank", "[lessons][typed]") {
     // all that is typed of the slides is in the frames of bodies: the third closes to the digits of p only;
     // sides follow the poses to first order, the digits of the axes take the rest
     for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -199,7 +199,7 @@ TEST_CASE(
         const auto read = [&](const std::string& head) {
             Random random(seed);
             const Bennett bennett = random_bennett(random);
-            // a number that loses its last zeros would say less of itself
+            // a number without its last zeros would claim fewer digits
             return lesson_of(lesson_text(
                 bennett, random, {.digits = kDecimals, .decimals = true, .head = head, .zeros = true}));
         };
@@ -218,11 +218,11 @@ TEST_CASE(
         }
         const double half_unit = 0.5 * std::pow(10.0, -kDecimals);
         CHECK(meant.typed->share <= 1.0);
-        // rounding of unit vectors; what changes along an axis is no change of it
+        // rounding of unit vectors; a change along an axis does not change it
         CHECK(change <= 1.001 * meant.typed->share * half_unit);
         CHECK(change > 0.3 * meant.typed->share * half_unit);
 
-        // the misfit, at poses of the motion that was found by another way
+        // the misfit, at poses of the motion that was found by another method
         System system(meant, everything(meant));
         MotionTracker tracker(system, assembled(meant), 0.0);
         double largest = 0.0;
@@ -256,7 +256,7 @@ TEST_CASE("A single number with too few digits is named, with its place", "[less
 
         const ReadResult read = read_lesson(text, "test.toml");
         CAPTURE(seed, typed.data(), read.report());
-        // a number that hardly matters leaves the others to decide, and they fit
+        // if the number hardly matters, the others decide, and they fit
         REQUIRE(read.diagnostics.size() <= 1);
         if (read.diagnostics.empty()) { continue; }
         const Diagnostic& warning = read.diagnostics.front();

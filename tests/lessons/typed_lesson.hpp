@@ -16,16 +16,16 @@ namespace jw::test {
 /// How an author types numbers.
 struct Style {
     int digits = 6;
-    bool decimals = false;        ///< so many decimals, else significant digits
+    bool decimals = false;        ///< `digits` are decimals, else significant digits
     bool local = false;           ///< points and axes in the frames of the bodies, else in that of the ground
     bool mixed = false;           ///< every other hinge in these frames
-    int pose_digits = 0;          ///< of poses, if they have others than joints
+    int pose_digits = 0;          ///< digits of poses, if they differ from those of joints
     std::string_view pose = "p";  ///< how bodies are turned: p, rotation or axes
     double axes_length = 1.0;     ///< of the axes of bodies, which mean directions
-    std::string head = {};        ///< what else stands in the lesson
-    double off = 0.0;             ///< by which a point is beside its axis [m]
-    bool zeros = false;           ///< with the zeros at their end
-    std::string body = {};        ///< what else stands with each body
+    std::string head = {};        ///< other text at the head of the lesson
+    double off = 0.0;             ///< distance of a point from its axis [m]
+    bool zeros = false;           ///< numbers keep the zeros at their end
+    std::string body = {};        ///< other keys of each body
     std::string base = "ground";  ///< the link between the last hinge and the first
 
     std::string number(double x) const {
@@ -62,7 +62,7 @@ inline std::string pose_text(const Eigen::Isometry3d& frame, Style style) {
            style.number(q.y()) + ", " + style.number(q.z()) + "]\n";
 }
 
-/// Bodies c1, c2... behind each other, held by hinges anywhere. @param to body that is held by the last, or
+/// Chain of bodies c1, c2..., connected by hinges anywhere. @param to body that hangs from the last one, or
 /// none
 inline std::string chain_text(
     const std::string& from, const std::string& to, int count, Random& random, const Style& style) {
@@ -114,7 +114,7 @@ inline std::string lesson_text(const HingeLoop& loop, const Style& style) {
            std::to_string(loop.turn_deg) + "]\n";
 }
 
-/// Joints alone at the start, assembled: their rank as everything that shows one says.
+/// Rank of the joints alone at the assembled start, as all parts of the program report it.
 inline RankReport rank_of_joints(const Mechanism& mechanism, State state) {
     System system(mechanism, joints_of(mechanism));
     system.choose_rows(state);

@@ -42,7 +42,7 @@ struct Said {
     double until = 0.0;     ///< [s] of 1 s of the driven turn
     double off = 0.0;       ///< from what the loop allows [rad]
     double dynamics = 0.0;  ///< [s] that a simulation comes to
-    double apart = 0.0;     ///< of poses of the simulation from those, where both are, in m
+    double apart = 0.0;     ///< largest distance from the poses of kinematics, where both are, in m
 };
 
 Said said_of(const HingeLoop& loop, const Lesson& lesson) {
@@ -111,7 +111,7 @@ TEST_CASE(
             for (const int digits : share.digits) {
                 const Said said = typed_with(digits);
                 CAPTURE(digits, said.until, exact.until);
-                // both take the numbers for one mechanism, to the misfit that dynamics allows for
+                // kinematics and dynamics agree on the mechanism, up to the misfit that dynamics allows for
                 CHECK(said.apart < (digits < 5 ? 1e-3 : 1e-5));
                 if (digits < 5) { continue; }
                 ++asked;
@@ -121,7 +121,7 @@ TEST_CASE(
                 // line-symmetric ones may turn back on the way
                 CHECK(said.until == Approx(exact.until).margin(2e-3));
                 CHECK(said.dynamics == Approx(exact.until).margin(2e-3));
-                // numbers of size 1, wrong by half a unit: angles by some tens of these
+                // numbers of size 1 are wrong by half a unit, angles by some tens of these
                 CHECK(said.off < 50.0 * std::pow(10.0, -digits) + 1e-10);
             }
         }
@@ -130,8 +130,8 @@ TEST_CASE(
     CHECK(undecided <= asked / 20);
 }
 
-TEST_CASE("Numbers that were meant are found where conditions are weak, too", "[lessons][typed]") {
-    // of these a linear fit leaves more than 1e-5
+TEST_CASE("The meant numbers are found even if the conditions are weak", "[lessons][typed]") {
+    // a linear fit of these leaves more than 1e-5
     for (const auto& [seed, digits] : {std::pair(3U, 5), std::pair(7U, 5), std::pair(8U, 6)}) {
         CAPTURE(seed, digits);
         Random random(seed);

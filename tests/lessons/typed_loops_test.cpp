@@ -62,7 +62,7 @@ Lesson typed(Lesson lesson, const Vec4& p, int digits) {
 
 TEST_CASE(
     "A parallelogram typed with some digits falls through its line and keeps its energy", "[dynamics]") {
-    // its branches cross only as far as its numbers fit: there is a gap of the root of what is missing
+    // its branches cross only if its numbers fit: otherwise there is a gap of the root of the misfit
     const int digits = GENERATE(6, 7, 8, 10, 12, 15);
     for (const Formulation formulation : {Formulation::joints, Formulation::bodies}) {
         for (unsigned seed = 0; seed < 4; ++seed) {

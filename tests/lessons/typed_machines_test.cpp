@@ -51,13 +51,13 @@ TEST_CASE("A loop that is typed in a large machine has the rank of the exact one
         Random random(seed);
         const HingeLoop loop = make(random);
         CAPTURE(loop.name, static_cast<int>(in));
-        // all that the reader does with them is off
+        // the reader takes all numbers as they are typed
         const std::string exact = "[precision]\nexact = true\n";
         const int expected = rank_at_start(machine(loop, in, seed, {.digits = 16, .head = exact}));
         for (const int digits : {6, 8}) {
             CAPTURE(digits);
             const Mechanism typed = machine(loop, in, seed, {.digits = digits});
-            // some fit to rounding as they are typed
+            // some loops fit to rounding as they are typed
             const auto lone = lesson_of(test::lesson_text(loop, {.digits = digits})).mechanism.typed;
             REQUIRE(typed.typed.has_value() == lone.has_value());
             if (lone) {
@@ -123,7 +123,8 @@ TEST_CASE("A loop of a large machine that no rounding explains keeps its rank", 
     }
 }
 
-TEST_CASE("One of two loops that cannot be told leaves the rank of the machine open", "[lessons][typed]") {
+TEST_CASE(
+    "If the rank of one of two loops is not known, neither is that of the machine", "[lessons][typed]") {
     // a second loop whose numbers fit, and one that misses by some half units more than its digits allow
     const bool is_tied = GENERATE(false, true);
     int untold = 0;
@@ -149,7 +150,7 @@ TEST_CASE("One of two loops that cannot be told leaves the rank of the machine o
         untold += alone && !alone->is_told ? 1 : 0;
         CHECK(verdict->is_told == (!alone || alone->is_told));
         CHECK(verdict->rank == verdict->rank_as_typed - (alone ? 2 : 1));
-        // of the numbers of the good one, which are used
+        // share of the numbers of the good loop, which are used
         CHECK(verdict->share > 0.0);
     }
     CHECK(untold > 0);

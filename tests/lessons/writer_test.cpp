@@ -286,7 +286,7 @@ TEST_CASE("A lesson file is written whole or not at all", "[lessons][writing]") 
     CHECK(folder.files() == 2);
     CHECK(error.empty());
 
-    // a link keeps pointing to where the lesson is
+    // a symbolic link is kept; the lesson is written to its target
     const auto elsewhere = folder.write("elsewhere/lesson.toml", "old");
     std::filesystem::create_symlink(elsewhere, folder.path() / "link.toml");
     CHECK(write_lesson_file(folder.path() / "link.toml", "through", error));

@@ -15,7 +15,7 @@ namespace {
 using namespace jw::mutation;
 namespace fs = std::filesystem;
 
-/// Place that stays right with the other sign, and why.
+/// Place whose result stays right with the other sign, and the reason.
 struct Exemption {
     std::string text;
     std::string reason;
@@ -36,7 +36,7 @@ std::string content_of(const fs::path& path) {
     return text.str();
 }
 
-/// Nothing is built anew because of a file that stays the same.
+/// Writes a file unless it stays the same, so that nothing is built again because of it.
 void write(const fs::path& path, const std::string& text) {
     if (fs::exists(path) && content_of(path) == text) { return; }
     fs::create_directories(path.parent_path());
@@ -127,7 +127,7 @@ int main(int count, char** arguments) {
     try {
         if (count != 4) { throw std::runtime_error("usage: mark_mutants LIST ROOT OUT"); }
         std::string mutants;
-        // a thousand numbers for each file: a change of one leaves those of the others
+        // a thousand numbers for each file: a change in one file leaves the numbers of the others
         int first = 1000;
         for (Source& source : sources_of(arguments[1])) {
             mutants += mark(source, first, arguments[2], arguments[3]);

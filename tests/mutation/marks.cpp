@@ -25,7 +25,7 @@ bool is_fixed_at_compile_time(std::string_view line) {
            (has("constexpr ") && !has("if constexpr "));
 }
 
-/// The source with everything blank that is never marked; offsets stay.
+/// Source in which everything that is never marked is blank; offsets stay.
 std::string code_of(std::string_view source) {
     std::string code(source);
     for (std::size_t k = 0; k < code.size(); ++k) {
@@ -90,7 +90,7 @@ struct Marker {
         return operand;
     }
 
-    /// `a.b(c) = d`, but no declaration: there a type stands before the name.
+    /// Assignments like `a.b(c) = d`, but not declarations: there a type stands before the name.
     void assigned(std::size_t line) const {
         const std::size_t begin = after_spaces(code, line);
         const std::size_t equals = std::min(code.find(" = ", begin), code.find(" =\n", begin));

@@ -9,17 +9,17 @@ namespace jw::mutation {
 
 enum class Kind {
     loop,    ///< the condition of a loop: it never holds
-    branch,  ///< the condition of an if: it holds where it did not
+    branch,  ///< the condition of an if: it is negated
     jet,     ///< a jet that a function returns: its first block, last block, rate or bias changes its sign
-    value,   ///< a value given or added to something: it changes its sign
+    value,   ///< a value assigned or added to something: it changes its sign
     term,    ///< what stands behind a + or - or is returned in brackets: it changes its sign
-    number,  ///< a number with a decimal point: a quarter more
+    number,  ///< a number with a decimal point: it grows by a quarter
 };
 
 /// Mutants that one mark stands for.
 constexpr int mutants_of(Kind kind) { return kind == Kind::jet ? 4 : 1; }
 
-/// Marked text [begin, end); of a term its beginning only.
+/// Marked text [begin, end); for a term only its beginning.
 struct Mark {
     Kind kind = Kind::term;
     std::size_t begin = 0;

@@ -65,12 +65,12 @@ Verdict run_of(const std::string& number, const std::string& test) {
 
 bool passes(const std::string& number) { return run_of(number, {}).passed; }
 
-/// Whether no test fails. What failed for the mutant before is asked first: neighbours mostly fail there,
-/// too, and a test that fails says the same wherever it stands.
+/// True if no test fails. The test that failed for the mutant before runs first: neighbours mostly fail
+/// there, too, and a test that fails gives the same verdict wherever it stands.
 bool survives(const std::string& number, std::string& failed_before) {
     if (!failed_before.empty() && !run_of(number, failed_before).passed) { return false; }
     const Verdict verdict = run_of(number, {});
-    // of names that a shell or Catch would read as more than a name none is asked for alone
+    // a test whose name has characters that are special to a shell or to Catch is not run alone
     const bool is_plain = verdict.last_test.find_first_of("'\"\\,[]*&;") == std::string::npos;
     failed_before = verdict.passed || !is_plain ? "" : verdict.last_test;
     return verdict.passed;

@@ -6,7 +6,7 @@
 /// Functions that the marked copies of the sources call where they can be made wrong; see marks.hpp.
 namespace jw::mutation {
 
-/// Number of the one mutant that is at work in this run, from the environment; 0: none.
+/// Number of the one mutant that is active in this run, from the environment; 0: none.
 inline int active() {
     static const int number = [] {
         const char* text = std::getenv("JW_MUTANT");
@@ -20,17 +20,17 @@ inline double sign(int mutant) { return active() == mutant ? -1.0 : 1.0; }
 
 inline double number(int mutant, double value) { return active() == mutant ? 1.25 * value : value; }
 
-/// A loop that is not gone through.
+/// Condition of a loop that the mutant does not enter.
 inline bool never(int mutant, bool condition) { return active() != mutant && condition; }
 
-/// A branch that is taken where it must not be, and only there.
+/// Condition of a branch, negated by the mutant.
 inline bool otherwise(int mutant, bool condition) { return (active() == mutant) != condition; }
 
-/// Four mutants: the derivatives that a jet hands on, each without regard to its value.
+/// Four mutants: each changes the sign of one derivative of a jet, and not its value.
 template <class J>
 J jet(int first, J out) {
     if constexpr (requires { out.away; }) {
-        // bounds: wrong in majorants.hpp itself
+        // bounds are mutated in majorants.hpp itself
     } else if constexpr (J::kMotion) {
         out.rate *= sign(first + 2);
         out.bias *= sign(first + 3);
@@ -53,7 +53,7 @@ J jet(int first, J out) {
 
 namespace jw {
 
-/// A sign before a jet turns all of it.
+/// A sign before a jet applies to all of it.
 template <class J>
 requires requires { J::kMotion; }
 J operator*(double factor, J out) {
@@ -77,7 +77,7 @@ J operator*(double factor, J out) {
     return out;
 }
 
-/// And one before bounds of derivatives.
+/// Sign before bounds of derivatives.
 template <std::size_t N>
 std::array<double, N> operator*(double factor, std::array<double, N> bounds) {
     for (double& bound : bounds) { bound *= factor; }
@@ -91,7 +91,7 @@ B operator*(double factor, B bounds) {
     return bounds;
 }
 
-/// And one before an inertia.
+/// Sign before an inertia.
 template <class I>
 requires requires { I::M, I::H, I::J; }
 [[gnu::always_inline]] inline I operator*(double factor, const I& inertia) {

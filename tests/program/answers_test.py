@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Solves exercises a second way: answers_test.py JOINTWISE EXERCISES [STUDENTS]
+"""Solves exercises in a second way: answers_test.py JOINTWISE EXERCISES [STUDENTS]
 
 Reads the numbers on the sheets of students as they do, computes the answers from definitions (products of quaternions, cross
 products, derivatives of components), hands them in rounded to five digits, and asks the grader: all have to be right. The same answers
@@ -128,9 +128,9 @@ SOLVERS = {
     "point-of-top": lambda g: add(g["r_j"], rotated(g["p_j"], g["s_j'P"])),
     "euler-step-r": lambda g: add(g["r_jP"], scale(0.1, add(g["dr_j"], times(g["A_j"], cross(g["w_j'"], g["s_j'P"]))))),
     "euler-step-p": lambda g: normalised(add(g["p"], scale(0.1, rate(g["p"], g["w'"])))),
-    # three bodies have 18 coordinates; which freedoms are left is told by the kinds of the joints
+    # three bodies have 18 coordinates; the kinds of the joints tell which freedoms are left
     "four-bar-rank": lambda g: 18 - {"RRRR": 0 if g["motor"] else 1, "RRSS": 2, "CCCC": 4}[g["kinds"]],
-    # one freedom in all of them
+    # all of these loops have one freedom
     "bennett-redundant": lambda g: equations(g) - 17,
     "slider-crank-grubler": lambda g: 18 - equations(g),
     "rssr-freedoms": lambda g: {"RSSR": 2, "RUSR": 1, "RSSC": 3, "CSSC": 4}[g["kinds"]],
@@ -173,7 +173,7 @@ def value_of(latex):
 
 
 def given_on(folder):
-    """For each exercise of a sheet in Markdown the values that it tells, and which joints its lesson file has."""
+    """For each exercise of a sheet in Markdown its given values, and the kinds of the joints of its lesson file."""
     told = {}
     for part in re.split(r"\n## \d+\. ", (folder / "sheet.md").read_text())[1:]:
         name = re.search(r"answer `(.*?)`", part).group(1)
@@ -190,7 +190,7 @@ def entries_of(value): return [x for part in value for x in entries_of(part)] if
 
 
 def changed(value, by):
-    """The last entry of a value changed."""
+    """The value with its last entry changed by `by`."""
     return value[:-1] + [changed(value[-1], by)] if isinstance(value, list) else value + by
 
 
@@ -206,7 +206,7 @@ def run(*arguments):
 
 
 def grade(place, answers, verdict):
-    """Hands in the answers of all students; each has to get the verdict."""
+    """Hands in the answers of all students; each answer has to get the verdict."""
     for student, values in answers.items():
         lines = [f'{name} = "{written(value)}"' for name, value in values.items()]
         (place / "in" / student / "answers.toml").write_text(
@@ -230,7 +230,7 @@ def main():
             told = given_on(place / "in" / student)
             right[student] = {name: solve(told[name]) for name, solve in SOLVERS.items()}
         grade(place, right, "right")
-        # for mistakes a half of them is enough
+        # for wrong answers half of the students are enough
         for student in students[1::2]:
             shutil.rmtree(place / "in" / student)
             del right[student]

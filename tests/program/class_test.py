@@ -151,7 +151,7 @@ def hostile_answers(kind, place, folder):
 BAD_ANSWERS = ["binary", "link", "pipe", "large", "brackets", "parentheses", "name", "escape", "bomb", "huge", "sparse", "folder", "socket",
                "device", "link to itself", "link to another"]
 KINDS = [*((name, "wrong program") for name in PROGRAMS), *((name, "bad answers") for name in BAD_ANSWERS)]
-# three of four students until each kind was there
+# three of four students are hostile until each kind has occurred
 fewest = -(-4 * len(KINDS) // 3) + 1
 count = int(sys.argv[3]) if len(sys.argv) > 3 else fewest
 if count < fewest:
@@ -229,7 +229,7 @@ def check_page(text):
 
 
 def check_row(student, kind, row, full, sandbox):
-    """`full` has the points of each exercise but that of the program."""
+    """Checks a student's row of the table; `full` has the points of each exercise except the one that asks for a program."""
     lost = [name for name in full if float(row[name]) != full[name]]
     if kind == "bad answers":
         check(row["problem"] or lost, f"{student}: bad answers lost no points")
@@ -266,7 +266,7 @@ def main():
         check(sum(full.values()) > 10, "the honest have no points")
         for student, row in rows.items():
             check_row(student, expected[student], row, full, sandbox)
-        # what failed for want of time is not kept: nothing did
+        # results of programs that ran out of time are not kept: there are none
         results = {file.stem: file.read_text() for file in (place / "out" / "results").iterdir()}
         check(set(results) == set(expected), f"results are missing: {set(expected) - set(results)}")
         check(not any("SPY" in text for text in results.values()), "a program found the key or another submission")

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The recipes of docs/films: parts by GNU parallel and by an array job of Slurm on this machine give the film that one
 # process draws, to the byte. Slurm's daemons are started here and stopped again; without them, or without the right to
-# start them, that half is left out and said so. Called by ctest: clusters_test.sh PROGRAM SOURCES.
+# start them, that half is left out, and a message says so. Called by ctest: clusters_test.sh PROGRAM SOURCES.
 set -uo pipefail
 
 program=$(realpath "$1") sources=$(realpath "$2")
@@ -42,7 +42,7 @@ is_that_film() {
 }
 "$sources/docs/films/parallel.sh" "$lesson" parallel.gif 3 "${options[@]}" >log 2>&1 || fail "parallel: $(cat log)"
 is_that_film "GNU parallel" parallel.gif
-# a part that fails is told
+# a part that fails is reported
 "$sources/docs/films/parallel.sh" "$lesson" none/x.gif 3 "${options[@]}" >log 2>&1 && fail "parallel hides a failure"
 
 if [ "$(id -u)" -ne 0 ] || ! command -v slurmd >/dev/null || ! command -v slurmctld >/dev/null || ! command -v munged >/dev/null; then

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Completions and manual know what the help of every command says, and are right in real shells and in man.
+"""Completions and manual agree with the help of every command, and work in real shells and in man.
 
-Called by ctest: completion_test.py PROGRAM. Shells and groff that are not there are left out, and it is said.
+Called by ctest: completion_test.py PROGRAM. Shells and groff that are not installed are left out, with a message.
 """
 import re
 import shutil
@@ -25,11 +25,11 @@ def output(*arguments, **more):
 
 
 class Help:
-    """What a page of help says, read from its text."""
+    """Content of a page of help, read from its text."""
 
     def __init__(self, *command):
         text = output(program, *command, "--help")
-        self.options = {}  # name: words that it can be, None for a flag
+        self.options = {}  # name: words that its value can be, None for a flag
         for line in text.splitlines():
             entry = re.match(r"  (-[-\w,]+)(.*)", line)
             if not entry:
@@ -60,7 +60,7 @@ for shell, text in scripts.items():
 
 
 def bash(*words):
-    """What a real bash proposes for the last of the words."""
+    """Proposals of a real bash for the last of the words."""
     quoted = " ".join(f"'{word}'" for word in words)
     script = (f"source {paths['bash']}; complete -p jointwise >/dev/null || exit 3; COMP_WORDS=({quoted}); "
               f"COMP_CWORD={len(words) - 1}; _jointwise; printf '%s\\n' \"${{COMPREPLY[@]}}\"")

@@ -70,7 +70,7 @@ with tempfile.TemporaryDirectory() as folder:
     check_prairielearn(result)
     assert 0.5 < result["score"] <= 1.0, result["score"]
 
-    # one that nobody can read does not count as an attempt
+    # a submission that cannot be read does not count as an attempt
     (root / "grade" / "student" / "answers.toml").write_bytes(b"\xff\xfe\x00<>")
     run(docs / "prairielearn" / "grade.sh", GRADE=str(root / "grade"), JOINTWISE_SOURCE=str(root / "grade" / "tests" / "jointwise"))
     result = json.loads((root / "grade" / "results" / "results.json").read_text())
@@ -89,7 +89,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert "@@PLUGINFILE@@" in (root / "drawn" / "moodle.xml").read_text()
     check_moodle((root / "drawn" / "moodle.xml").read_text())
 
-    # wrong, missing, hostile and unreadable ones in every format
+    # wrong, missing, hostile and unreadable submissions in every format
     key, class_of = root / "grade" / "tests" / "key.toml", root / "class"
     for student, text in SUBMISSIONS.items():
         (class_of / student).mkdir(parents=True)

@@ -15,7 +15,7 @@ program, docs = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).r
 
 
 def hand_in(folder):
-    """Right, the first known mistake of the key, an empty answer, words, and nothing at all."""
+    """Five submissions: right, with the first known mistake of the key, with an empty answer, with words, and none."""
     right = re.search(r'^global-vector = "(.*)"', (folder / "solutions/ann/solution/answers.toml").read_text(), re.MULTILINE).group(1)
     mistaken = re.search(r"<li><code>(\[[^<]*\])</code>", (folder / "solutions/bob/solution/sheet.html").read_text()).group(1)
     answers = {"ann": right, "bob": mistaken, "cyd": "", "dan": "no idea"}

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The real program with files that are none, files that must not grow, and streams that are closed.
+# The real program with files that are not lessons, files that must not grow, and streams that are closed.
 # Called by ctest: files_test.sh PROGRAM CATALOGUE.
 set -uo pipefail
 
@@ -17,7 +17,7 @@ fail() {
     failures=$((failures + 1))
 }
 
-# expect STATUS TEXT NAME COMMAND...: in the end, and not after minutes, with TEXT on standard error
+# expect STATUS TEXT NAME COMMAND...: the command ends, and not after minutes, with STATUS, and TEXT on standard error
 expect() {
     local status=$1 text=$2 name=$3 got=0
     shift 3
@@ -30,14 +30,14 @@ expect() {
 }
 no_draft() { [ -z "$(find "${1:-.}" -name '*.part*')" ] || fail "$2 left a draft: $(find "$1" -name '*.part*')"; }
 
-# ---- what is no lesson
+# ---- files that are not lessons
 mkfifo pipe
 mkdir folder.toml
 ln -s loop-a loop-b
 ln -s loop-b loop-a
 ln -s nowhere dangling
 cp "$four_bar" mine.toml
-# those that wait for a pipe wait beside the others: each in a shell of its own, with files of its own
+# commands that wait for a pipe run at the same time, each in a shell of its own, with files of its own
 waiting=()
 in_background() {
     mkdir "waits-${#waiting[@]}"
@@ -96,7 +96,7 @@ timeout 100 "$program" solve grown.toml >>grown.toml 2>err && fail "results are 
 cmp -s mine.toml grown.toml || fail "results behind '>>' changed the lesson"
 grep -qF "expected another file after '>'" err || fail "results into the lesson are not named"
 
-# ---- outputs that are no files
+# ---- outputs that are not regular files
 for output in pipe /dev/null /dev/full; do
     expect 2 "expected the name of a file" "a picture into $output" "$program" open mine.toml --picture $output
 done

@@ -49,7 +49,7 @@ def times(file):
 
 
 def mean_difference(a, b):
-    """Of squares of 8 x 8 pixels, the largest mean difference of a channel: what is seen from a distance."""
+    """Largest mean difference of a channel in a square of 8 x 8 pixels: the difference that is seen from a distance."""
     worst = 0.0
     for top in range(0, SIZE[1], 8):
         for left in range(0, SIZE[0], 8):
@@ -76,7 +76,7 @@ with tempfile.TemporaryDirectory() as folder:
     render(*PART, *LOOK, "--no-tween", "--out", "plain.apng")
     shown = raw("plain.apng")
     expect(shown == distinct, f"APNG: {len(shown)} pictures that are not the {len(distinct)} of the folder")
-    # a planted fault is noticed
+    # the check notices a fault
     damaged = [bytes([shown[0][0] ^ 1]) + shown[0][1:]] + shown[1:]
     expect(damaged != distinct, "a changed bit is not noticed")
 
@@ -125,7 +125,7 @@ with tempfile.TemporaryDirectory() as folder:
     expect(abs(sum(picture["seconds"] for picture in data["pictures"]) - sum(seconds)) < 1e-6, "the page: its length")
     expect(data["pictures"][0]["whole"] and data["captions"], "the page: its pictures")
 
-    # several processes draw the same
+    # several processes draw the same film
     render(*PART, *LOOK, "--jobs", "3", "--out", "three")
     for file in sorted(os.listdir("frames")):
         expect(open(f"frames/{file}", "rb").read() == open(f"three/{file}", "rb").read(), f"--jobs 3: {file} differs")

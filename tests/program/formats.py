@@ -1,5 +1,4 @@
-"""What JUnit, Gradescope, PrairieLearn and Moodle publish about their formats, as checks: each raises AssertionError with what is
-wrong."""
+"""Checks of the formats that JUnit, Gradescope, PrairieLearn and Moodle publish: each raises AssertionError with a message."""
 
 import base64
 import html

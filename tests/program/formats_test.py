@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Files as version 0.1 has written them, read with the program of today: formats_test.py JOINTWISE PROJECT
+"""Files as version 0.1 wrote them, read with the program of today: formats_test.py JOINTWISE PROJECT
 
 docs/formats.md is the policy: within a version of a format keys may be added, and no other changes. Newer versions are refused by name.
 """
@@ -16,7 +16,7 @@ import tempfile
 
 program, project = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 kept = project / "tests" / "formats" / "0.1"
-# of lengths and angles about 1: solved equations are closed to 1e-10, and machines round otherwise
+# tolerance for lengths and angles about 1: solved equations are closed to 1e-10, and machines round differently
 TOLERANCE = 1e-8
 
 
@@ -25,7 +25,7 @@ def run(place, *arguments):
 
 
 def read_by(place, *arguments):
-    """What the program prints; a status or a warning fails."""
+    """Output of the program; an error status or a warning fails the test."""
     done = run(place, *arguments)
     assert done.returncode == 0, f"{arguments}: {done.returncode} {done.stdout}{done.stderr}"
     assert "warning" not in done.stderr, f"{arguments}: {done.stderr}"
@@ -39,7 +39,7 @@ def is_refused(place, words, *arguments):
 
 
 def missing(before, now, path=""):
-    """What was there before and is not any more, or is another: keys may be added, and sentences said better."""
+    """Values that are missing now or differ from before: keys may be added, and sentences improved."""
     if isinstance(before, dict):
         if not isinstance(now, dict):
             return [path]
@@ -75,7 +75,7 @@ def numbers_are_kept(place):
     table = columns((kept / "solve.csv").read_text())
     found = missing(table, columns(read_by(place, "solve", "crank.toml")))
     assert not found, f"the table of 'solve': {found[:5]}"
-    # the comparison itself notices a word or a number that is another, and a key that is gone
+    # the comparison itself notices a word or a number that differs, and a key that is missing
     other = copy.deepcopy(step)
     other["steps"][0]["kind"] = "body"
     assert missing(step, other) == [".steps.0.kind"]

@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 program, catalogue = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
-# every joint type, springs, dynamics, another up, a lesson that cannot be put together, one in which nothing moves
+# every joint type, springs, dynamics, another upward axis, a lesson that cannot be assembled, one in which nothing moves
 LESSONS = ["loops/four-bar", "loops/rssr", "screws/screw-jack", "joints/universal", "joints/cylindrical", "joints/prismatic",
            "joints/spherical", "links/revolute-spherical", "dynamics/governor", "dynamics/andrews", "hard/cannot-close",
            "vectors/frames"]
@@ -70,7 +70,7 @@ def check_meshes(scene):
 
 
 def check_tree(scene):
-    """Every node but the root is the child of one node."""
+    """Checks that every node but the root is the child of one node."""
     children = [child for node in scene.json["nodes"] for child in node.get("children", [])]
     assert sorted(children) == list(range(1, len(scene.json["nodes"])))
 
@@ -84,7 +84,7 @@ def distance(path, value, body):
 
 
 def check_motion(scene, steps):
-    """Whether every body is where the steps of the motion say, at every time."""
+    """Checks that every body is where the steps of the motion say, at every time."""
     (animation,) = scene.json["animations"]
     times = [row[0] for row in scene.values(animation["samplers"][0]["input"])]
     assert len(times) == len(steps) and times[0] == 0.0 and all(a < b for a, b in zip(times, times[1:]))

@@ -45,7 +45,7 @@ done
     --frames 0 2>err || fail "render: $(cat err)"
 cmp -s <(head -c 8 frames/*.png) <(printf '\x89PNG\r\n\x1a\n') || fail "render wrote no picture"
 
-# what ./dev package builds is all that is installed
+# ./dev package builds everything that is installed
 ninja -C "$build" -t commands jw_installed >commands || fail "ninja knows no jw_installed"
 for built in "$tree"/bin/* "$tree"/lib/*.a; do
     grep -qF "/$(basename "$built") " commands || fail "$(basename "$built") is installed, and jw_installed does not build it"
@@ -65,7 +65,7 @@ ldd "$folder/an other place/bin/jointwise" >libraries
 for name in fmt tomlplusplus stb deflate gif; do
     grep -q "lib$name[.]so[^ ]* => $folder/an other place/.*/lib/jointwise/" libraries || fail "the tarball lacks lib$name"
 done
-# where it is not there, that is noticed
+# the check notices a missing one
 mv "$folder/an other place/lib/jointwise" "$folder/aside"
 ldd "$folder/an other place/bin/jointwise" | grep -q "an other place/.*/lib/jointwise/" && fail "libraries are found where none are"
 mv "$folder/aside" "$folder/an other place/lib/jointwise"

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Kills a render at random moments, again and again, until --resume has made all of it; the result must be the one that
-nobody has killed: kills_test.py JOINTWISE CATALOGUE KILLS [SEED]"""
+"""Kills a render at random moments, again and again, until --resume has completed it; the result must be that of a run
+that was not killed: kills_test.py JOINTWISE CATALOGUE KILLS [SEED]"""
 
 import hashlib
 import os
@@ -27,7 +27,7 @@ def command(run, *more):
 
 
 def contents():
-    """Hash of each file here, whatever it is."""
+    """Hash of each file here, of any kind."""
     return {str(path): hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(pathlib.Path().rglob("*")) if path.is_file()}
 
 
@@ -48,14 +48,14 @@ with tempfile.TemporaryDirectory() as folder:
         longest = time.monotonic() - begin
         whole = contents()
         clear()
-        # a run that is killed more often leaves none for the others
+        # a limit for each run leaves kills for the others
         most = min(kills, done + max(1, kills // len(RUNS)))
-        # the same moments do not come twice: what a machine does at the same time differs
+        # moments cannot be repeated, since the other work of the machine differs
         while True:
             process = subprocess.Popen(command(run, "--resume"), stderr=subprocess.DEVNULL, start_new_session=True)
             time.sleep(chance.uniform(0.0, 1.1 * longest))
             if process.poll() is None and done < most:
-                # all processes of the run, as a machine that is switched off
+                # all processes of the run, as when a machine is switched off
                 os.killpg(process.pid, signal.SIGKILL)
                 process.wait()
                 done += 1

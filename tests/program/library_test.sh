@@ -38,7 +38,7 @@ for picture in four_bar.png lesson.png; do
 done
 ./build/pendulum >pendulum.out || fail "pendulum lost its energy"
 
-# what would allocate in another way than the library is refused, and told what to do
+# a program that would allocate memory differently from the library is refused, with advice
 must "configure for AVX" configure wide -DCMAKE_CXX_FLAGS=-mavx
 if "$cmake" --build "$folder/wide" --target pendulum >log 2>&1; then fail "a program for AVX was compiled"; fi
 grep -q 'build Jointwise with the same flags' log || { fail "another reason to refuse AVX"; cat log; }

@@ -24,7 +24,7 @@ count = int(sys.argv[3]) if len(sys.argv) > 3 else 15
 seed = int(sys.argv[4]) if len(sys.argv) > 4 else 17
 files = [file for file in sorted(exercises.glob("*.toml")) if file.stem not in ("clinic", "building", "experiments")]
 draw = random.Random(seed)
-never = {}  # of each choice the ways that were not drawn yet
+never = {}  # for each choice, the ways that have not been drawn yet
 
 
 def run(*arguments):
@@ -35,7 +35,7 @@ def run(*arguments):
 
 
 def choice(where, ways, write=lambda way: way):
-    """One of the ways that can be written, by chance, those before others that were not drawn yet; `where` names the choice."""
+    """Draws one of the ways to write; ways that have not been drawn yet come first. `where` names the choice."""
     unused = sorted(never.setdefault(where, set(range(len(ways)))))
     draw.shuffle(unused)
     while True:
@@ -144,7 +144,7 @@ def plain(value): return "[" + ", ".join(map(plain, value)) + "]" if isinstance(
 # ---- keys and grades ---------------------------------------------------------------------------
 
 def right_of(folder):
-    """Name, answer and unit of each answer of numbers in the key of a student."""
+    """Name, answer and unit of each numerical answer in the key of a student."""
     lines = re.findall(r'^([\w-]+) = "(.*)"(?:  # (.*))?$', (folder / "solution" / "answers.toml").read_text(), re.MULTILINE)
     return {name: (eval(text, {"__builtins__": {}}), unit) for name, text, unit in lines if re.fullmatch(r"[][\d., e+-]+", text)}
 

@@ -16,7 +16,7 @@ program, project = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]
 sys.path.insert(0, str(project / "docs/proofs"))
 import check_proof  # noqa: E402
 
-INTERVALS = 2  # of a lesson's motion: its start has every kind of joint and driver
+INTERVALS = 2  # intervals of a lesson's motion: its start has every kind of joint and driver
 PASS_SINGULAR_POSES = ["parallelogram", "two-ways-on", "forced-drop"]  # some of their steps cannot be proved
 catalogue = project / "lessons/catalogue"
 
@@ -29,7 +29,7 @@ def proof_of(folder, lesson, *options):
 
 
 def verdict(data):
-    """The last sentence of what the checker says."""
+    """The last sentence of the checker's output."""
     try:
         return check_proof.check(check_proof.Proof(data))[-1]
     except check_proof.Wrong as wrong:
@@ -90,12 +90,12 @@ def without(data, *path):
 
 
 def largest_of(matrix):
-    """Row and column of its largest entry."""
+    """Row and column of the largest entry."""
     return max(((k, l) for k, row in enumerate(matrix) for l in range(len(row))), key=lambda at: abs(matrix[at[0]][at[1]]))
 
 
 def wrong_proofs(data):
-    """Proofs with one fault, by what it is."""
+    """Proofs with one fault each, by the name of the fault."""
     step = 2
     part = max(range(len(data["steps"][step]["parts"])), key=lambda k: len(data["steps"][step]["parts"][k]["rows"]))
     place = ["steps", step, "parts", part]
@@ -130,7 +130,7 @@ def wrong_proofs(data):
 
 
 def other_branch(folder):
-    """The four-bar of the catalogue, put together the other way."""
+    """The four-bar of the catalogue, assembled on the other branch."""
     tip = (-0.5 + 0.4 * math.cos(math.pi / 3), 0.4 + 0.4 * math.sin(math.pi / 3))
     away = (0.5 - tip[0], 0.4 - tip[1])
     length = math.hypot(*away)
@@ -163,7 +163,7 @@ def check_wrong_branch(folder, options):
 
 
 def check_files(folder, file):
-    """What cannot be read is told in one line."""
+    """A file that cannot be read is reported in one line."""
     checker = project / "docs/proofs/check_proof.py"
     whole = file.read_bytes()
     files = {
@@ -185,7 +185,7 @@ def check_files(folder, file):
 
 
 def check_undriven(folder):
-    """Steps of which nothing is proved are not taken for a proof."""
+    """Steps without a proof are not taken for a proof."""
     lesson = folder / "undriven.toml"
     body = '[[body]]\nname = "top"\nomega_local_rad_per_s = [0, 0, 2]\n'
     joint = '[[joint]]\nname = "ball"\ntype = "spherical"\nbodies = ["ground", "top"]\nat = [0, 0, 0]\n'
@@ -195,7 +195,7 @@ def check_undriven(folder):
 
 
 def check_table(folder):
-    """A driver's table, over one of its times: proved, and refused when the function is another."""
+    """A driver's table, over one of its times: proved, and refused when the function differs."""
     data = json.loads(proof_of(folder, catalogue / "analysis/walking-leg.toml", "--to", 0.12, "--step", 0.03).read_text())
     assert verdict(data).startswith("yes: "), verdict(data)
     driver = next(k for k, q in enumerate(data["equations"]) if "table" in q.get("function", {}))
@@ -209,7 +209,7 @@ def check_table(folder):
 
 
 def check_inspect(folder):
-    """The rank of a linkage that counting gives no freedom: proved, and refused when a combination is another."""
+    """The rank of a linkage that has no freedom by counting: proved, and refused when a combination differs."""
     file = folder / "rank.json"
     done = subprocess.run([program, "inspect", catalogue / "loops/bennett.toml", "--proof", file], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
@@ -224,7 +224,7 @@ def check_inspect(folder):
 
 
 def check_outputs(folder):
-    """A proof does not overwrite what is read, and leaves nothing where there is none."""
+    """A proof does not overwrite a file that is read, and no file is left where there is no proof."""
     lesson = folder / "lesson.toml"
     lesson.write_bytes((catalogue / "joints/revolute.toml").read_bytes())
     done = subprocess.run([program, "solve", lesson, "--proof", lesson], capture_output=True, text=True)

@@ -57,7 +57,7 @@ def check_not_run(place, before):
     check(f"{code}: not run" in grade(place, "", before=before).stdout, "the grade does not say so")
     judged = json.loads(grade(place, "", "--format", "json", before=before).stdout)[0]["exercises"]
     check([e["name"] for e in judged if e["not_run"]] == [code], "JSON does not say so")
-    # where programs run, what is kept does not count
+    # where programs can be run, kept results are not used
     return "without"
 
 

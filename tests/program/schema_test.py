@@ -2,7 +2,7 @@
 """The schema for editors agrees with the reader: schema_test.py JOINTWISE SOURCE_ROOT
 
 It accepts every shipped lesson and exercise, and refuses every wrong lesson whose mistake a schema can see: a value of a
-wrong type or with a wrong number of entries, a word that is none, a number out of range, an unknown key.
+wrong type or with a wrong number of entries, a word that is not allowed, a number out of range, an unknown key.
 """
 
 import json

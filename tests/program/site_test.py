@@ -164,7 +164,7 @@ with tempfile.TemporaryDirectory() as place:
     assert formulas > 40 and live > 30, (formulas, live)
     names = sorted(p.relative_to(lessons).with_suffix("").as_posix() for p in lessons.rglob("*.toml") if p.name != "course.toml")
     assert sorted(n.removeprefix("lessons/").removesuffix(".html") for n in pages_of(out) if n.startswith("lessons/")) == names
-    # the check of links sees one that leads nowhere
+    # the check of links notices a link that leads nowhere
     broken = out / "slides.html"
     kept = broken.read_text()
     broken.write_text(kept.replace("lessons/loops/four-bar.html", "lessons/loops/four-bor.html", 1))
@@ -184,7 +184,7 @@ with tempfile.TemporaryDirectory() as place:
         at = unquote(urlsplit(urljoin(f"https://site/{path_in_url(at)}", following[0])).path).lstrip("/") if following else ""
     assert len(seen) == len(names) and seen[1] == "lessons/loops/four-bar.html", seen
 
-    # claims are those that `check` proves
+    # the claims are those that `check` proves
     checked = json.loads(run("check", lessons / "loops/four-bar.toml", "--format", "json").stdout)
     claims = [c for c in checked["lessons"][0]["claims"] if not c["moment"].startswith("try")]
     rows = list(tree_of(out / "lessons/loops/four-bar.html").iter("tr"))[1:]
@@ -243,13 +243,13 @@ with tempfile.TemporaryDirectory() as place:
     assert changed != version, "other lessons, the same version"
     assert 'href="slides.pdf#page=8"' in (out / "slides.html").read_text() and (out / "slides.pdf").exists()
 
-    # of a chapter alone the page knows the course around it
+    # the page of a single chapter knows the course around it
     run("site", lessons / "loops", "--page", page, "--out", place / "alone")
     bundle = json.loads((place / "alone/live/lessons.json").read_text())
     assert bundle["lessons"] == "/course/loops" and "/course/course.toml" in bundle["files"], sorted(bundle["files"])
     shutil.rmtree(place / "alone")
 
-    # slides as an address; what is no lesson, but is called like one, is told of and left out
+    # slides as an address; a file that is named like a lesson but is not one is reported and left out
     os.mkfifo(lessons / "pipe.toml")
     (lessons / "broken.toml").symlink_to("nowhere.toml")
     (lessons / "folder.toml").mkdir()
@@ -264,7 +264,7 @@ with tempfile.TemporaryDirectory() as place:
         os.unlink(lessons / name)
     (lessons / "folder.toml").rmdir()
 
-    # what is refused is said, and the site of before stays as it was
+    # a refusal is reported, and the earlier site stays as it was
     before = files_in(out)
     stranger = place / "stranger"
     stranger.mkdir()
@@ -287,10 +287,10 @@ with tempfile.TemporaryDirectory() as place:
     for name in ["Row.toml", "row.toml"]:
         shutil.copy(next(file for file in lessons.rglob("*.toml") if file.name != "course.toml"), twice / name)
     assert "differ in capitals alone" in run("site", twice, "--page", page, "--out", out, status=2).stderr
-    # from within, by a path that begins with what is not there
+    # from within, by a path that begins with a folder that does not exist
     inside = subprocess.run([program, "site", ".", "--page", page, "--out", "public"], cwd=lessons, capture_output=True, text=True)
     assert inside.returncode == 2 and "lie in one another" in inside.stderr and not (lessons / "public").exists(), inside
-    # a list of the site that somebody has changed, or that is none
+    # a list of the site that was changed, or that is not a list
     manifest = (out / "site.json").read_text()
     for text, words in [
         ('{"format": "jointwise site"}', "is no list of a site"),

@@ -33,7 +33,7 @@ def run(*arguments, before=(), **more):
 
 
 def commands(out):
-    """Every command that writes files, into the folder `out`; what it reads is in the folder beside it."""
+    """Every command that writes files, into the folder `out`; the files that it reads are in the folder beside it."""
     beside = out.parent / "in"
     small = ("--size", "960x540")
     return {
@@ -66,7 +66,7 @@ def make_inputs(place):
 
 
 def is_told(ran, name, words):
-    """One error in the words of the program, no library's, and no crash."""
+    """Checks for one error in the words of the program, not of a library, and no crash."""
     check(ran.returncode == 2, f"{name}: status {ran.returncode}, not 2: {ran.stderr[-300:]}")
     check(any(word in ran.stderr for word in words), f"{name}: standard error lacks {words}: {ran.stderr[-300:]}")
     for word in ("std::", "filesystem error", "terminate called", "basic_", "bad_alloc"):
@@ -74,7 +74,7 @@ def is_told(ran, name, words):
 
 
 def check_whole(out, name):
-    """No draft and no empty file."""
+    """Checks that there is no draft and no empty file."""
     for path in sorted(out.rglob("*")):
         if path.is_file():
             check(".part" not in path.name and path.stat().st_size > 0, f"{name}: half-written {path.name}")
@@ -156,7 +156,7 @@ def closed_pipe():
 
 
 def little_memory(place):
-    """From too little to load the program to enough: it works, or it says so; a picture is whole or not there."""
+    """Memory from too little to load the program to enough: it works, or it says so; a picture is whole or not there."""
     for megabytes in (60, 120, 250, 400, 700):
         limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
         for name, arguments in (("step", ("step", scene)), ("plot", commands(place)["plot"])):
@@ -206,8 +206,8 @@ def widths_of_mesa(place):
 
 
 def many_at_once(place):
-    """The same files by several runs at once: each is done, or told that another one draws, and what is there in the end
-    is as one run alone leaves it."""
+    """The same files by several runs at once: each succeeds, or reports that another run draws, and the files in the end
+    are those that one run alone leaves."""
     together, alone = place / "together", place / "alone"
     for out in (together, alone):
         out.mkdir()

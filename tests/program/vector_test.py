@@ -31,7 +31,7 @@ def png_of(path):
 
 
 def pdf_of(path):
-    """Pixels of a PDF at a pixel for each of its points."""
+    """Pixels of a PDF, one for each of its points."""
     data = subprocess.run(["pdftoppm", "-r", "72", path], capture_output=True, check=True).stdout
     head = re.match(rb"P6\s(\d+)\s(\d+)\s255\s", data)
     assert (int(head[1]), int(head[2])) == (WIDTH, HEIGHT), head[0]
@@ -39,7 +39,7 @@ def pdf_of(path):
 
 
 def blocks(pixels, side=12):
-    """Means of squares: letters are drawn otherwise, where they are and how dark is the same."""
+    """Means of squares of pixels: letters are drawn differently, but their places and darkness are the same."""
     sums = [0] * ((WIDTH // side) * (HEIGHT // side))
     for y in range(HEIGHT // side * side):
         row = pixels[3 * WIDTH * y:3 * WIDTH * (y + 1)]

@@ -73,7 +73,7 @@ class Errors(unittest.TestCase):
             lambda: jw.read_lesson_text(5),
         ):
             self.assertRaises(TypeError, call)
-        # what numpy counts with is a number of a body
+        # an integer of numpy is accepted as the number of a body
         self.assertEqual(m.add_joint("x", "revolute", np.int64(1), 2), 4)
 
     def test_what_cannot_be_assembled_is_not_reached_and_names_the_row(self):

@@ -55,7 +55,7 @@ class Measures(unittest.TestCase):
         found = jw.reactions_at(m, jw.follow(m, [0.0, 0.1])[1])
         self.assertEqual(found.open, 3)
         self.assertEqual([r.name for r in found.reactions], ["A", "B", "C", "D", "motor"])
-        # forces out of the plane and torques in it can be braced against each other
+        # forces out of the plane and torques in it are not unique
         self.assertTrue(found.reactions[0].force_unique[0] and found.reactions[0].force_unique[1])
         self.assertFalse(found.reactions[0].force_unique[2])
         values = jw.Quantities(m, ["A.force.x", "A.force.z"]).at(jw.follow(m, [0.0, 0.1])[1])

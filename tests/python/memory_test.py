@@ -1,4 +1,4 @@
-"""Arrays are views of what the results own: they keep it alive, see what is written, and leave no copy behind."""
+"""Arrays are views of what the results own: they keep it alive, show what is written, and leave no copy behind."""
 
 import copy
 import gc
@@ -24,7 +24,7 @@ def loose_body():
 
 
 MOTION = ("t", "energy", "q", "q_dot", "q_ddot", "r", "p", "r_dot", "omega_local", "r_ddot", "omega_local_dot")
-# what makes a result, and its arrays: everything that shows numbers in place
+# makers of results, and their arrays: all arrays that show numbers in place
 RESULTS = (
     (lambda: jw.equations_at(four_bar(), assembled()), ("phi", "jacobian", "nu", "gamma")),
     (lambda: jw.rank_at(loose_body(), jw.start_pose(loose_body())), ("singular_values", "free_motions")),
@@ -61,7 +61,7 @@ class Memory(unittest.TestCase):
                     del owner
                     gc.collect()
                     self.assertIsNotNone(alive())
-                    # memory that was let go would be taken up by these
+                    # these would take up memory that was freed
                     filler = [np.full(array.size, 7.0) for _ in range(50)]
                     np.testing.assert_array_equal(array, before)
                     del array, filler

@@ -54,7 +54,7 @@ class Motion(unittest.TestCase):
         angle = 1e-3
         period = 2 * np.pi * np.sqrt((1 + 0.5e-3) / 9.81)
         motion = jw.simulate(pendulum(angle), [0, period / 2, period], tolerance=1e-10)
-        # the period of large swings is longer by angle²/16; at the turning points that is second order
+        # the period of large swings is longer by angle²/16; at the turning points its effect is of second order
         np.testing.assert_allclose(motion.r[:, 1, 0], np.sin(angle) * np.array([1, -1, 1]), rtol=1e-6)
         np.testing.assert_allclose(motion.energy, motion.energy[0], rtol=1e-9)
 

@@ -11,7 +11,7 @@ import numpy as np
 import jointwise as jw
 from scenes import four_bar
 
-# of the names with underscores those that users rely on
+# those names with underscores that users rely on
 SPECIAL = {
     "__init__", "__len__", "__getitem__", "__iter__", "__copy__", "__deepcopy__", "__int__", "__index__", "__members__",
 }
@@ -19,7 +19,7 @@ PACKAGE = Path(jw.__file__).parent
 
 
 def stub_names():
-    """Names in the stub: of the module, and of each class its members."""
+    """Names in the stub: those of the module, and for each class its members."""
     module, classes = set(), {}
     for node in ast.parse((PACKAGE / "__init__.pyi").read_text(encoding="utf-8")).body:
         if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
@@ -84,7 +84,7 @@ class Package(unittest.TestCase):
         for name in jw.__all__:
             thing = getattr(jw, name)
             with self.subTest(name=name):
-                # pybind11 writes the signature: what is said comes after it
+                # pybind11 writes the signature: the description comes after it
                 said = [line for line in (thing.__doc__ or "").split("\n") if line and "->" not in line]
                 self.assertTrue(any(len(line) > 15 for line in said))
 

@@ -1,4 +1,4 @@
-"""The programs of docs/python.md run as they stand, one after the other, and the page names what there is."""
+"""The programs of docs/python.md run as they stand, one after the other, and the page names everything in the module."""
 
 import contextlib
 import io

@@ -1,4 +1,4 @@
-"""The module against the program, which computes the same by other ways: program_test.py JOINTWISE.
+"""The module against the program, which computes the same in other ways: program_test.py JOINTWISE.
 
 Times, poses and quantities of `jointwise solve` and `jointwise simulate` are those of follow, simulate and Quantities.
 """

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs the code cells of a notebook, one after the other in one namespace, as a notebook does: run_notebook.py FILE.
 
-What the last expression of a cell gives is shown, a picture or a film by its bytes and all else as text. IPython is not needed: its
+The value of the last expression of a cell is shown, a picture or a film by its bytes and all else as text. IPython is not needed: its
 packages would be 23 MB on the machine that tests, and a process with sockets for each notebook.
 """
 
@@ -14,7 +14,7 @@ from pathlib import Path
 
 
 def run_cell(source, place, namespace):
-    """@returns what the last expression gives, None if the cell ends with a statement"""
+    """Value of the last expression, None if the cell ends with a statement."""
     tree = ast.parse(source, place)
     last = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None
     exec(compile(tree, place, "exec"), namespace)
@@ -40,7 +40,7 @@ def shown(value):
 def main():
     file = Path(sys.argv[1])
     notebook = json.loads(file.read_text(encoding="utf-8"))
-    # what is written into a notebook when it is run belongs to no version of it
+    # output that is written into a notebook when it is run does not belong to its version
     outputs = [k for k, c in enumerate(notebook["cells"]) if c.get("outputs") or c.get("execution_count")]
     assert not outputs, f"cells {outputs} have outputs; clear them before you commit"
     sys.path.insert(0, str(file.parent))  # as a notebook does

@@ -6,7 +6,7 @@ import jointwise as jw
 
 
 def two_bodies(joint_type):
-    """Two moving bodies in general position, and one joint between them that does not hold there."""
+    """Two moving bodies in general position, and one joint between them whose equations are not satisfied there."""
     m = jw.Mechanism()
     m.add_body("one", [0.1, 0.2, 0.3], [0.8, 0.0, 0.6, 0.0])
     m.add_body("two", [0.9, -0.4, 0.6], [0.5, 0.5, -0.5, 0.5])
@@ -38,7 +38,7 @@ def moving(pose):
 def four_bar(driven="A"):
     """The mechanism of docs/library.md: 20 equations of four hinges, 17 of them independent, and a motor.
 
-    Hinge A can be driven on and on, D until the crank and the coupler are in line.
+    Hinge A can be driven without end, D until the crank and the coupler are in line.
     """
     A, B, C, D = np.array([[0, 0, 0], [0, 1, 0], [2, 2, 0], [3, 0, 0]], dtype=float)
     m = jw.Mechanism()

@@ -11,7 +11,7 @@ from scenes import four_bar, pendulum
 
 
 def in_threads(*calls):
-    """The results of calls that run at the same time. Raises what one of them raises."""
+    """Results of calls that run at the same time. Raises the exception that one of them raises."""
     results = [None] * len(calls)
 
     def run(k):
@@ -67,7 +67,7 @@ class Threads(unittest.TestCase):
                     m.add_body(f"more {k}", [0, 0, 0])
 
             r, _ = in_threads(followed, changed)
-            # what came before the call moves along: other sums, rounded otherwise
+            # bodies that were added before the call move too: other sums, rounded differently
             np.testing.assert_allclose(r[:, :4], alone, rtol=0, atol=1e-9)
             self.assertEqual(len(m.body_names), 24)
 
@@ -89,7 +89,7 @@ class Threads(unittest.TestCase):
                 ended_by = "itself"
             except Interrupted:
                 ended_by = "the signal"
-        except Interrupted:  # as soon as Python is asked again
+        except Interrupted:  # raised as soon as Python code runs again
             pass
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)

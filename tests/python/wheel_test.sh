@@ -18,7 +18,7 @@ fail() {
 wheel=$(echo "$folder"/wheels/jointwise-"$version"-cp*-linux_*.whl)
 [ -f "$wheel" ] || { fail "there is no wheel for this Python: $(ls "$folder/wheels")"; exit 1; }
 
-# once more, while the first is tested
+# builds it once more, while the first is tested
 "$sources/app/python/wheel.sh" "$cmake" "$sources" "$build" "$version" "$python" "$folder/again" &
 again=$!
 
@@ -41,7 +41,7 @@ ldd "$package"/_jointwise*.so >"$folder/libraries"
 for name in fmt tomlplusplus deflate gif; do
     grep -q "lib$name[.]so[^ ]* => $package/libs/" "$folder/libraries" || fail "the wheel lacks lib$name"
 done
-# where they are not there, that is noticed
+# the check notices missing ones
 mv "$package/libs" "$folder/aside"
 ldd "$package"/_jointwise*.so | grep -q " => $package/libs/" && fail "libraries are found where none are"
 mv "$folder/aside" "$package/libs"
@@ -50,7 +50,7 @@ for kind in catalogue exercises benchmark reference; do
     diff -rq "$sources/lessons/$kind" "$package/share/jointwise/lessons/$kind" || fail "other files in $kind"
 done
 
-# who wrote what is linked in
+# copyright of the linked libraries
 for name in copyright third-party/libeigen3-dev third-party/libfmt-dev third-party/pybind11-dev; do
     [ -s "$package/share/doc/jointwise/$name" ] || fail "the wheel lacks the copyright $name"
 done

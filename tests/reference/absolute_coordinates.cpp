@@ -106,7 +106,7 @@ private:
         }
     }
 
-    /// All rows; once they are chosen, the kept ones.
+    /// Finds all rows, or only the kept ones once they are chosen.
     void find_rows() {
         rows_.clear();
         for (const JointRows& joint : joints_) { joint.append(motions_, rows_); }
@@ -143,7 +143,7 @@ private:
         return S;
     }
 
-    /// The smallest change, measured by M, whose J-image is `image`.
+    /// The smallest change, measured by M, that J maps to `image`.
     Twists response(const VecX& image) const {
         Twists out(motions_.size());
         if (rows_.empty()) { return out; }
@@ -162,7 +162,7 @@ private:
         return out;
     }
 
-    /// Those without joints, then what the joints add so that J a = gamma.
+    /// Accelerations without joints, plus the changes by the joints so that J a = gamma.
     Twists accelerations() const {
         std::vector<Wrench> wrenches(motions_.size());
         add_loads(scene_, motions_, wrenches);

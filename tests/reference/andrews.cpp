@@ -18,7 +18,7 @@ Vec3 planar(Real x, Real y) { return {x, y, 0.0L}; }
 Vec3 along(Real angle) { return planar(std::cos(angle), std::sin(angle)); }
 Vec3 behind(Real angle) { return planar(std::sin(angle), -std::cos(angle)); }
 
-/// A planar body's moments about x and y do nothing; those of z are used for all.
+/// Adds a planar body. Its moments of inertia about x and y have no effect; that about z is used for all.
 int add_link(Scene& scene, const Vec3& centre, Real angle, Real mass, Real J) {
     Body body;
     body.mass = mass;

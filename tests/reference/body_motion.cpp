@@ -6,7 +6,7 @@ namespace {
 
 const BodyMotion& of(const Motions& motions, int body) { return motions[static_cast<std::size_t>(body)]; }
 
-/// a and two sides perpendicular to it, right-handed.
+/// Right-handed frame of an axis and two sides perpendicular to it.
 Mat3 frame_about(const Vec3& axis) {
     const Vec3 a = axis.normalized();
     Eigen::Index least = 0;

@@ -57,8 +57,8 @@ Trajectory pendulum(const Scene& scene) {
     return out;
 }
 
-/// A02: N + 1 upright rods turn as one, N couplers go round with their tips. From the top with 1 rad/s it
-/// goes over: sin(θ/2) = sn(W t / 2 + K), W the rate at the bottom.
+/// A02: N + 1 upright rods turn as one; N couplers move with their tips. From the top with 1 rad/s they turn
+/// all the way round: sin(θ/2) = sn(W t / 2 + K), W the rate at the bottom.
 Trajectory four_bars(const Scene& scene) {
     const Real N = (static_cast<Real>(scene.bodies.size()) - 2.0L) / 2.0L;
     const Real w_squared = -scene.gravity.y() * ((N + 1.0L) / 2.0L + N) / ((N + 1.0L) / 3.0L + N);
@@ -135,7 +135,7 @@ Trajectory free_body(const Scene& scene) {
     const Vec3 w0 = body.omega;  // axes of body and world agree at t = 0
     const Real L2 = J.cwiseProduct(w0).squaredNorm();
     const Real T2 = w0.dot(J.cwiseProduct(w0));
-    // |2 T J_n - L²| as sums of terms of one sign, or nearly so: what is left near the separatrix counts
+    // |2 T J_n - L²| as sums of terms of one sign, or nearly so: near the separatrix the small rest matters
     const Vec3 L2_each = J.cwiseProduct(J).cwiseProduct(w0).cwiseProduct(w0);
     const auto from = [&](int n) -> Real { return L2_each.dot((J - Vec3::Constant(J[n])).cwiseQuotient(J)); };
     const Real above_1 = from(0);

@@ -14,7 +14,7 @@ std::unique_ptr<Ode> absolute_coordinates(const Scene& scene);
 /// joints that close loops have equations.
 std::unique_ptr<Ode> joint_coordinates(const Scene& scene);
 
-/// Which rows of S = J M⁻¹ Jᵀ to keep: largest pivot first, until the next one is redundant.
+/// Rows of S = J M⁻¹ Jᵀ to keep: largest pivot first, until the next one is redundant.
 std::vector<int> independent_rows(MatX S);
 
 }  // namespace jw::reference

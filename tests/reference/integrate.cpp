@@ -8,7 +8,7 @@ namespace jw::reference {
 
 namespace {
 
-/// One attempt: the new y and the error of the step against 1 + |y|.
+/// One attempt: the new y and the error of the step relative to 1 + |y|.
 struct Attempt {
     VecX y;
     Real error = 0.0L;

@@ -7,7 +7,7 @@ namespace {
 
 using Columns = Eigen::Matrix<Real, 3, Eigen::Dynamic>;
 
-/// Each column crossed with s: of ω-columns the velocity they give a point at s.
+/// Each column crossed with s: for columns of ω, the velocity of a point at s.
 Columns crossed(const Columns& w, const Vec3& s) {
     Columns out(3, w.cols());
     for (Eigen::Index k = 0; k < w.cols(); ++k) { out.col(k) = w.col(k).cross(s); }
@@ -21,7 +21,7 @@ struct Partial {
     Vec3 w_bias = Vec3::Zero();
 };
 
-/// A joint that brings a body: where its coordinates are and its vectors in the two bodies.
+/// A joint that brings a body: the indices of its coordinates, and its vectors in the two bodies.
 struct Hinge {
     Joint joint;
     Eigen::Index q = 0;  ///< first position coordinate: an angle, a distance or four Euler parameters
@@ -135,7 +135,7 @@ private:
         }
     }
 
-    /// Motions and partial velocities from the ground outwards, then the rows of the loops.
+    /// Computes motions and partial velocities from the ground outwards, then the rows of the loops.
     void set_state(const VecX& y) {
         for (const Hinge& hinge : hinges_) { place(hinge, y); }
         rows_.clear();
@@ -154,7 +154,7 @@ private:
         }
     }
 
-    /// Body j from body i across one joint.
+    /// Places body j from body i across one joint.
     void place(const Hinge& hinge, const VecX& y) {
         const BodyMotion& i = motions_[static_cast<std::size_t>(hinge.joint.i)];
         const Partial& of_i = partials_[static_cast<std::size_t>(hinge.joint.i)];
@@ -222,7 +222,7 @@ private:
         return Q;
     }
 
-    /// The smallest change of speeds, measured by M, that the loops see as `image`.
+    /// The smallest change of speeds, measured by M, that the rows of the loops map to `image`.
     template <class Mass>
     VecX response(const Mass& mass, const VecX& image) const {
         const MatX X = mass.solve(J_.transpose());

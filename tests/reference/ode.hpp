@@ -26,8 +26,8 @@ enum class Method {
     extrapolation,         ///< of the modified midpoint rule (Gragg, Bulirsch, Stoer), order 14
 };
 
-/// Integrates from 0 to `duration` with a step ending at every sample's time. `tolerance`: of a step, against
-/// 1 + |y|.
+/// Integrates from 0 to `duration` with a step ending at every sample's time. `tolerance`: of a step,
+/// relative to 1 + |y|.
 Trajectory integrate(Ode& ode, Real duration, Method method, Real tolerance);
 
 using Receive = std::function<void(const VecX& y)>;

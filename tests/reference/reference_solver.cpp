@@ -9,7 +9,7 @@
 #include "tests/reference/scenes.hpp"
 #include "tests/reference/stored.hpp"
 
-/// Computes the benchmark scenes in long double, each at least two ways, and says how far they are apart.
+/// Computes the benchmark scenes in long double, each in at least two ways, and prints how far they differ.
 namespace jw::reference {
 namespace {
 
@@ -18,7 +18,7 @@ struct Way {
     Trajectory trajectory;
 };
 
-/// The first one is the one to store.
+/// Trajectories of a scene in several ways; the first is the one to store.
 std::vector<Way> computed(const Scene& scene) {
     std::vector<Way> ways;
     const auto add = [&](const char* name, const auto& compute) {
@@ -60,7 +60,7 @@ Real agreement(const std::vector<Way>& ways) {
     return most;
 }
 
-/// Digits after the point that all ways agree in; no more than a file holds.
+/// Number of digits after the point in which all ways agree, at most as many as a file holds.
 int trusted_digits(Real distance) {
     return std::min(16, static_cast<int>(std::floor(-std::log10(std::max(distance, 1e-30L)))));
 }

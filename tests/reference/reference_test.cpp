@@ -22,7 +22,7 @@ double allowed(const Scene& scene) {
     return scene.name == "free-asymmetric-body" ? kAgreedFreeBody : kAgreed;
 }
 
-/// Those that take less than a second together.
+/// Scenes that together take less than a second.
 std::vector<Scene> cheap_scenes() {
     return {simple_pendulum(),     four_bars(1),
             four_bars(4),          andrews(),
@@ -35,7 +35,7 @@ std::vector<Scene> cheap_scenes() {
 struct End {
     const char* name;
     Vec3 r;
-    Real error;  ///< half a unit of the last digit given, or what the other program was off
+    Real error;  ///< half a unit of the last digit given, or the error of the other program
 };
 
 // clang-format off
@@ -132,7 +132,7 @@ TEST_CASE("Stored velocities are the derivatives of the stored positions", "[ref
 }
 
 TEST_CASE("Andrews' crank passes the angle published for 0.03 s", "[reference]") {
-    // IVP test set: beta, good to about 1e-10 of itself; ours does not move by 1e-16 m between tolerances
+    // IVP test set: beta, good to about 1e-10 of itself; ours changes by less than 1e-16 m with tolerance
     const Trajectory trajectory = stored("andrews");
     REQUIRE(trajectory.size() == kIntervals + 1);
     const Real beta = 15.81077119629904L;

@@ -7,7 +7,7 @@
 /// A mechanism as it stands at t = 0, everything in the global frame. Body 0 is the ground.
 namespace jw::reference {
 
-/// Frame at the centre of mass, along the principal axes.
+/// A body; its frame is at the centre of mass, along the principal axes.
 struct Body {
     Real mass = 0.0L;
     Vec3 J = Vec3::Ones();  ///< principal moments of inertia [kg m²]
@@ -31,7 +31,7 @@ struct Joint {
     Real sense = 1.0L;
 };
 
-/// Pulls with k (l - l0) + c dl/dt.
+/// Spring that pulls with k (l - l0) + c dl/dt.
 struct Spring {
     int i = 0;
     int j = 0;
@@ -44,7 +44,7 @@ struct Spring {
 
 struct Scene {
     std::string name;
-    std::string what;  ///< one line for people
+    std::string what;  ///< description in one line
     std::vector<Body> bodies = std::vector<Body>(1);
     std::vector<Joint> joints;  ///< a joint that brings a body comes after those of the bodies before it
     std::vector<Spring> springs;
@@ -52,9 +52,9 @@ struct Scene {
     int driven = 0;              ///< body under a constant torque, 0: none
     Vec3 torque = Vec3::Zero();  ///< [N m]
     Real duration = 1.0L;        ///< [s]
-    int body = 1;                ///< that the point belongs to
+    int body = 1;                ///< body that the point belongs to
     Vec3 point = Vec3::Zero();
-    Real finest = 1e-16L;  ///< tolerance that rounding lets extrapolation meet
+    Real finest = 1e-16L;  ///< smallest tolerance that extrapolation can meet in spite of rounding
     /// Joint equations lose rank on the way: only joint coordinates get through.
     bool passes_singular = false;
 };

@@ -19,13 +19,13 @@ inline int add(Scene& scene, const Body& body) {
     return static_cast<int>(scene.bodies.size()) - 1;
 }
 
-/// A joint that brings body j along.
+/// Adds a joint that brings body j along.
 inline void hinge(
     Scene& scene, JointKind kind, int i, int j, const Vec3& point, const Vec3& axis = Vec3::UnitZ()) {
     scene.joints.push_back({kind, i, j, point, axis});
 }
 
-/// A revolute joint between two bodies that are there already.
+/// Adds a revolute joint between two bodies that are already in the scene.
 inline void close(Scene& scene, int i, int j, const Vec3& point, const Vec3& axis = Vec3::UnitZ()) {
     scene.joints.push_back({JointKind::revolute, i, j, point, axis});
     scene.joints.back().closes_loop = true;
@@ -41,7 +41,7 @@ inline Body rod(const Vec3& a, const Vec3& b, Real mass, Real J_along, Real J_ac
     return body;
 }
 
-/// The whole body turns about an axis through `point`.
+/// Sets the velocity of a body that turns about an axis through `point`.
 inline void spin(Body& body, const Vec3& omega, const Vec3& point) {
     body.omega = omega;
     body.v = omega.cross(body.r - point);

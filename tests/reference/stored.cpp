@@ -7,7 +7,7 @@ namespace jw::reference {
 
 namespace {
 
-/// 16 digits are what a double takes in; rounding noise of planar scenes is 0.
+/// Text with 16 digits, as many as a double holds; rounding noise of planar scenes becomes 0.
 std::string number(Real value) {
     if (std::abs(value) < 1e-18L) { return "0"; }
     char text[40];

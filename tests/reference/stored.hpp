@@ -5,7 +5,7 @@
 
 #include "tests/reference/scene.hpp"
 
-/// Trajectories as lessons/reference/NAME.csv: a line that says how they came about, names of columns, 101
+/// Trajectories as lessons/reference/NAME.csv: a line that says how they were computed, names of columns, 101
 /// rows.
 namespace jw::reference {
 

@@ -28,7 +28,7 @@ std::uint8_t& channel(Image& image, int x, int y, int c) {
          static_cast<std::size_t>(c)];
 }
 
-/// From the darkest to the lightest of a sky, as pale as ours.
+/// Picture from the darkest to the lightest colour of a sky that is as pale as the program's.
 Image gradient(int width, int height) {
     Image image = filled(width, height, {0, 0, 0});
     for (int y = 0; y < height; ++y) {
@@ -108,7 +108,7 @@ std::vector<ReadFrame> read_apng(const std::vector<std::uint8_t>& file) {
         for (int y = 0; y < part.height; ++y) {
             for (int x = 0; x < part.width; ++x) {
                 const std::uint8_t alpha = part.alpha[static_cast<std::size_t>(y * part.width + x)];
-                // drawn over: ours are all or nothing
+                // drawn over: alpha is either 0 or 255 here
                 if (is_over && alpha == 0) { continue; }
                 for (int c = 0; c < 3; ++c) {
                     channel(image, area[2] + x, area[3] + y, c) = part.at(x, y)[c];
@@ -160,7 +160,7 @@ TEST_CASE("ticks of many lengths add up to the length of all", "[render][animati
     }
     Ticks ticks(100.0);
     CHECK(ticks.next(0.001, 2) == 2);
-    CHECK(ticks.next(0.029, 2) == 2);  // what the first had too much is made up for as far as that goes
+    CHECK(ticks.next(0.029, 2) == 2);  // the surplus of the first is taken off, as far as 2 allows
     CHECK(ticks.next(1.0, 2) == 99);
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("pictures of two sizes are no animation, and neither is none", "[rende
 TEST_CASE("colours of flat areas are kept as they are", "[render][animation]") {
     Image picture = gradient(200, 200);
     std::mt19937 random(2);
-    // shades of a body, many more than there is room for
+    // shades of a body, many more than fit into the colour table
     for (int y = 0; y < 100; ++y) {
         for (int x = 0; x < 100; ++x) {
             channel(picture, x, y, 0) = static_cast<std::uint8_t>(random() % 256);
@@ -240,12 +240,12 @@ TEST_CASE("a gradient in few colours keeps its mean everywhere", "[render][anima
     const Image picture = gradient(64, 256);
     ColourCensus census;
     census.add(picture);
-    // far fewer than the gradient has: what is between two is mixed of them
+    // far fewer colours than the gradient has: those between two of the table are mixed from them
     ColourTable table(census.choose(6));
     REQUIRE(table.colours().size() <= 6);
     int areas = 0;
     for (int top = 0; top < 256; top += 4) {
-        // a pattern belongs to a colour: where two meet, parts of two patterns do
+        // each colour has its own pattern: where two colours meet, parts of two patterns meet
         if (!std::equal(picture.at(0, top), picture.at(0, top) + 3, picture.at(0, top + 3))) { continue; }
         ++areas;
         for (int left = 0; left < 64; left += 4) {

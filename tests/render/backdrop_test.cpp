@@ -18,7 +18,7 @@ double random_size(std::mt19937& random, double most) {
     return std::abs(random_vector(random, most).x()) + 0.02;
 }
 
-/// One of each kind of thing, anywhere, some seen through bodies, some lit up, some ghosts.
+/// One object of each kind at random places; some are seen through bodies, some highlighted, some ghosts.
 Scene random_scene(std::mt19937& random) {
     const auto at = [&] { return random_vector(random, 1.0); };
     const Geometry all[] = {
@@ -44,8 +44,8 @@ Scene random_scene(std::mt19937& random) {
     return scene;
 }
 
-/// Smallest things that can be drawn, in front of two corners of the viewport: with them all of it counts as
-/// drawn into.
+/// Scene with the smallest objects that can be drawn in front of two corners of the viewport, so that all of
+/// the viewport counts as drawn into.
 Scene with_specks(Scene scene, const Camera& camera) {
     const CameraAxes axes = axes_of(camera);
     const double pixel = pixel_size(camera, kView, camera.target);

@@ -48,7 +48,7 @@ TEST_CASE(
 
             Bytes changed = whole;
             changed[at] = static_cast<std::uint8_t>(changed[at] ^ (1U << random() % 8));
-            // what no checksum covers: search hints of the directory, padding, the checksum of the whole file
+            // without a checksum: search hints of the directory, padding, the checksum of the whole file
             if (fault_of_font(changed).empty()) { CHECK_NOTHROW(FontFace(written(folder, changed))); }
         }
     }
@@ -60,7 +60,7 @@ TEST_CASE("what is no font is named with the reason", "[render][fonts]") {
     CHECK_THROWS_WITH(
         FontFace(path), "font '" + path.string() + "' is damaged: it is not a TrueType or OpenType font");
     CHECK_THROWS_WITH(FontFace(folder.path() / "none.ttf"), Catch::Contains("No such file or directory"));
-    // tables beyond any file
+    // more tables than the file can hold
     CHECK(fault_of_font(Bytes{0, 1, 0, 0, 255, 255, 0, 0, 0, 0, 0, 0}) == "it ends too early");
 }
 

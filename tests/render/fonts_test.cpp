@@ -139,7 +139,7 @@ TEST_CASE("a file that is no font is named, and the letters that are there stay"
 TEST_CASE(
     "letters of phones and of large text fit into textures that graphics of phones take", "[render][fonts]") {
     const ImguiContext context;
-    // 390 pixels of a page three times as fine: 1170/480, in eighths; and the largest letters of a window
+    // a page of 390 pixels at a density of 3: 1170/480, in eighths; and the largest letters of a window
     load_fonts(2.375F, {}, AtlasSize::small);
     CHECK(ImGui::GetIO().Fonts->TexWidth <= 4096);
     CHECK(ImGui::GetIO().Fonts->TexHeight <= 4096);

@@ -13,7 +13,7 @@ namespace {
 const Rect kViewport{0.0, 0.0, 742.0, 720.0};
 const Rect kSafe{50.0, 110.0, 600.0, 560.0};
 
-/// Pixels that a point stays inside `safe`; negative outside.
+/// Distance [px] of a point inside `safe` from its nearest edge; negative outside.
 double clearance(const Projected& seen, const Rect& safe) {
     return std::min(
         {seen.x - safe.x, safe.x + safe.width - seen.x, seen.y - safe.y, safe.y + safe.height - seen.y});

@@ -22,7 +22,7 @@ void set_pixel(Image& image, int x, int y, std::uint8_t value) {
     image.rgb[at] = image.rgb[at + 1] = image.rgb[at + 2] = value;
 }
 
-/// Largest group by growing labels until nothing changes: slow, and nothing like a flood.
+/// Size of the largest group, by spreading labels until nothing changes: slow, and not a flood fill.
 int patch_by_labels(const PixelMask& mask) {
     std::vector<int> label(mask.marked.size(), 0);
     for (std::size_t k = 0; k < label.size(); ++k) {

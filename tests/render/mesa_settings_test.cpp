@@ -11,7 +11,7 @@ namespace {
 constexpr const char* kWidth = "LP_NATIVE_VECTOR_WIDTH";
 constexpr const char* kCache = "MESA_SHADER_CACHE_DISABLE";
 
-/// Switch of Mesa's cache as `settle_mesa` sets it; empty if it leaves it alone.
+/// Switch of Mesa's cache as `settle_mesa` sets it; empty if it is not set.
 std::string cache_with_width(const char* width) {
     ::unsetenv(kCache);
     ::setenv(kWidth, width, 1);

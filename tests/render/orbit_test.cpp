@@ -13,7 +13,7 @@ namespace {
 
 const Rect kViewport{40.0, 30.0, 600.0, 400.0};
 // pixels: coordinates of hundreds after some ten roundings of 1e-16, with room for eyes near a pole, where
-// 1e-3 rad divide
+// results are divided by 1e-3 rad
 constexpr double kPixels = 1e-7;
 
 double uniform(std::mt19937& random, double low, double high) {
@@ -34,7 +34,7 @@ double elevation(const Camera& camera) {
     return std::asin((camera.eye - camera.target).normalized().dot(camera.up.normalized()));
 }
 
-/// Every test of a move is made from these.
+/// Runs `check` for 100 random cameras; every test of a move uses them.
 template <class Check>
 void for_random_cameras(const Check& check) {
     std::mt19937 random(7);
@@ -125,7 +125,7 @@ TEST_CASE("nobody zooms out of reach, and coming back is always possible", "[ren
         }
         CHECK(far.distance() == Approx(20.0));
         CHECK(near.distance() == Approx(0.02));
-        // already beyond the range of a smaller scene: no jump, no step further, but back
+        // already beyond the range of a smaller scene: the camera does not jump, and can only come back
         CHECK(zoomed(far, kViewport, 0.5, 9.0, 9.0, 0.1).distance() == Approx(20.0));
         CHECK(zoomed(far, kViewport, 2.0, 9.0, 9.0, 0.1).distance() == Approx(10.0));
     });
@@ -150,7 +150,7 @@ TEST_CASE("standard views show the axes where a drawing has them", "[render][orb
     const Camera seen = standard_view(camera, c.view);
     const CameraAxes axes = axes_of(seen);
     CHECK((axes.right - c.right).norm() < 1e-12);
-    CHECK((axes.up - c.picture_up).norm() < 1.1e-3);  // the pole is kept off by 1e-3 rad
+    CHECK((axes.up - c.picture_up).norm() < 1.1e-3);  // the camera stays 1e-3 rad away from the pole
     CHECK(seen.target == camera.target);
     CHECK(seen.up == camera.up);
     CHECK(seen.distance() == Approx(camera.distance()));

@@ -169,7 +169,7 @@ TEST_CASE("a picture at its own size is drawn pixel for pixel", "[render][panels
     const PictureTexture texture(painter.gl(), chart());
     const Image drawn = painter.paint([&](ImDrawList& list, const Fonts&) {
         list.AddImage(texture.id(), {10.0F, 20.0F}, {13.0F, 25.0F});
-        list.AddRectFilled({50.0F, 50.0F}, {60.0F, 60.0F}, kBlack);  // the font again
+        list.AddRectFilled({50.0F, 50.0F}, {60.0F, 60.0F}, kBlack);  // with the texture of the font again
     });
     for (int y = 0; y < 5; ++y) {
         for (int x = 0; x < 3; ++x) { CHECK(pixel(drawn, 10 + x, 20 + y) == pixel(chart(), x, y)); }

@@ -17,7 +17,7 @@ struct Hit {
     double distance = 0.0;  ///< along the view [m]
 };
 
-/// What a ray through the middle of a pixel meets first: nothing of GL.
+/// First hit of a ray through the middle of a pixel, computed without OpenGL.
 Hit cast(const std::vector<Shape>& balls, const Camera& camera, const Rect& viewport, int x, int y) {
     const CameraAxes axes = axes_of(camera);
     const double high = std::tan(0.5 * camera.field_of_view) * camera.distance();
@@ -95,13 +95,13 @@ TEST_CASE("layers have the ids and depths that rays meet", "[layers]") {
                 }
                 if (hit.id == 0) { continue; }
                 const double distance = layers.depth[k] * camera.distance() / PictureLayers::kDepthOfTarget;
-                // balls are made of flat triangles, which lie inside by less than this but at the rim
+                // the flat triangles of a ball lie inside it by less than this, except at the rim
                 other_depths += std::abs(distance - hit.distance) > 0.02;
             }
         }
         INFO("trial " << trial << ": " << seen << " seen, ids " << other_ids << ", depths " << other_depths);
         CHECK(seen > 1000);
-        // at rims: those of six balls are some 400 pixels long
+        // they differ at rims: those of six balls are some 400 pixels long
         CHECK(other_ids < seen / 20);
         CHECK(other_depths < seen / 20);
     }

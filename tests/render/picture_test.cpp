@@ -14,7 +14,7 @@ constexpr int kWidth = 320;
 constexpr int kHeight = 180;
 const Rect kWhole{0.0, 0.0, kWidth, kHeight};
 
-/// Hue counts, not light: which channel is strongest and which weakest.
+/// True if the hues agree, whatever the lightness: which channel is strongest and which weakest.
 bool looks(const std::uint8_t* pixel, const Colour& colour) {
     const auto order = [](float r, float g, float b) { return std::pair(r > g, g > b); };
     return order(pixel[0], pixel[1], pixel[2]) == order(colour.r, colour.g, colour.b);
@@ -82,7 +82,7 @@ TEST_CASE("a shadow moves with its body and with the light that goes with the ca
     Offscreen offscreen(kWidth, kHeight);
     const SceneRenderer renderer(offscreen.gl());
     for (int n = 0; n < 6; ++n) {
-        // in turns: the same again, another camera, another place of one body
+        // in turn: the same again, another camera, another position of one body
         if (n % 3 == 1) { camera.eye.x() += 0.7; }
         if (n % 3 == 2) { std::get<Box>(scene.shapes[0].geometry).pose.r.y() += 0.4; }
         offscreen.begin_3d();
@@ -120,8 +120,8 @@ TEST_CASE("a small sphere is drawn where project says", "[render][picture]") {
     }
     REQUIRE(count > 20.0);
     const Projected seen = project(camera, viewport, centre);
-    // half a pixel: the centroid of some 60 pixels, edges cut at a threshold, a sphere off the axis an
-    // ellipse
+    // half a pixel: the centroid is that of some 60 pixels, edges are cut at a threshold, and a sphere off
+    // the axis is seen as an ellipse
     CHECK(x / count == Approx(seen.x).margin(0.5));
     CHECK(y / count == Approx(seen.y).margin(0.5));
 }

@@ -46,11 +46,11 @@ TEST_CASE("a few bytes of a PNG do not ask for memory that its picture has no us
     const std::string_view data = "IDAT";
     const auto name = std::ranges::search(whole, data).begin();
     REQUIRE(name != whole.end());
-    // a part of 1.2 GB, of which nothing is there
+    // a part that claims 1.2 GB, more than the file has
     std::vector<std::uint8_t> long_part = whole;
     long_part[static_cast<std::size_t>(name - whole.begin()) - 4] = 0x4D;
     CHECK_THROWS_WITH(decode_png(long_part, "a.png"), Catch::Contains("longer than the file"));
-    // pixels of 64 rows under a head of 8
+    // pixels of 64 rows, with a header that says 8
     std::vector<std::uint8_t> more = encode_png({8, 64, std::vector<std::uint8_t>(3 * 8 * 64, 7)});
     more[23] = 8;
     CHECK_THROWS_WITH(decode_png(more, "a.png"), Catch::Contains("more than its head says"));

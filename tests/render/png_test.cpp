@@ -25,7 +25,7 @@ Image colourful(int width, int height) {
     return image;
 }
 
-/// Files of this process may not grow beyond `bytes` while this lives: what a full disk does to a writer.
+/// Limits files of this process to `bytes` while it lives: a writer then fails as on a full disk.
 class FileSizeLimit {
 public:
     explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

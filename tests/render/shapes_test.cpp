@@ -41,8 +41,8 @@ TEST_CASE("triangles of every mesh face the way their normals point", "[render][
         const MeshVertex& c = mesh.vertices.at(mesh.indices[n + 2]);
         const Eigen::Vector3f facing =
             (placed(b, kind) - placed(a, kind)).cross(placed(c, kind) - placed(a, kind));
-        // triangles that collapse to a line, but for single precision, draw nothing: at poles, at seams of
-        // the nut
+        // triangles that collapse to a line, up to single precision, draw nothing: they lie at poles and at
+        // seams of the nut
         if (facing.norm() < 1e-6F) { continue; }
         ++solid;
         CHECK(facing.normalized().dot((a.normal + b.normal + c.normal).normalized()) > 0.4F);
@@ -79,7 +79,7 @@ TEST_CASE(
     for (double radius = 0.2; radius < 30.0; radius *= 1.05) {
         const Detail detail = detail_for(radius);
         const Mesh mesh = make_mesh(MeshKind::round_bar, detail);
-        // the inner circle of the chords of the mesh, by its own triangles
+        // radius of the circle inside the chords, from the triangles of the mesh
         float inside = 1.0F;
         for (std::size_t n = 0; n + 1 < mesh.indices.size(); ++n) {
             const Eigen::Vector2f a = mesh.vertices[mesh.indices[n]].core.head<2>();

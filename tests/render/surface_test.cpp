@@ -32,7 +32,7 @@ Image drawn(Surface& surface, const SceneRenderer& renderer, const Scene& scene)
     return surface.read();
 }
 
-/// A surface with its renderer, which goes first and in its own context.
+/// A surface with its renderer, which is destroyed first and in its own context.
 struct Painter {
     Offscreen offscreen;
     std::unique_ptr<SceneRenderer> renderer;
@@ -68,7 +68,7 @@ TEST_CASE("OSMesa and EGL draw the same things at the same places", "[render][su
     }
     choose_headless_surface(HeadlessSurface::automatic);
     CHECK(layers[0] == layers[1]);
-    // both are llvmpipe here; another renderer may light a pixel otherwise
+    // both are llvmpipe here; another renderer may shade a pixel differently
     CHECK(images[0] == images[1]);
 }
 
@@ -135,7 +135,7 @@ TEST_CASE(
     const Image image = drawn(targets, *painter.renderer, scene);
     CHECK(image == expected);
     CHECK(targets.samples() == reference.samples());
-    reference.make_current();  // its renderer goes first
+    reference.make_current();  // its renderer is destroyed first
 }
 
 TEST_CASE("one sample gives the same picture but for its borders", "[render][surface]") {

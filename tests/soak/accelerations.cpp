@@ -11,19 +11,19 @@ namespace {
 
 namespace general = reference::general;
 
-// core takes rows whose squared pivot is below 1e-9 for repetitions (docs/dynamics.md): pivots stay far from
+// core treats rows whose squared pivot is below 1e-9 as redundant (docs/dynamics.md): pivots stay far from
 // that
 constexpr long double kSound = 1e3L;
 
-/// Rounding: the equations of the bodies form Φq M⁻¹ Φqᵀ, which squares the condition; that one may be some
-/// ten times the ratio of pivots. 1e-9 for the products before that.
+/// Tolerance for rounding: the equations of the bodies form Φq M⁻¹ Φqᵀ, which squares the condition, and the
+/// condition may be some ten times the ratio of pivots. 1e-9 is for the products before that.
 double allowed(long double condition) {
     const auto c = static_cast<double>(condition);
     return 1e-9 + 1e-12 * c * c;
 }
 
 /// Tolerance in joint coordinates. Heavy bodies add their inertia to light ones that carry them, and the
-/// light ones' own inertia is lost below the rounding of that; arms square the ratio of lengths besides.
+/// light ones' own inertia is lost below the rounding of that; arms also square the ratio of lengths.
 double allowed_in_joints(const Loads& loads) {
     double heaviest = 0.0;
     double lightest = HUGE_VAL;
@@ -56,11 +56,11 @@ public:
         const reference::VecX y = reference_.state_of(placed, t);
         const general::Accelerations a = reference_.accelerations_at(y);
         if (!(a.condition < kSound)) { return not_asked("too near to a singular pose"); }
-        // on a branch of more freedoms than the start has, or beside the constraints
+        // the state is on a branch with more freedoms than the start, or off the constraints
         if (!(a.contradiction < 1e-8L)) { return not_asked("its rows contradict each other"); }
         expected_ = motion_of(a, placed);
         size_ = size_of(a, generated_.length);
-        // rows that repeat others and ask for something else: which of them are kept decides
+        // redundant rows contradict each other slightly: the result depends on which of them are kept
         limit_ = allowed(a.condition) + static_cast<double>(10.0L * a.contradiction * a.condition);
         t_ = t;
         return holds();
@@ -102,7 +102,7 @@ private:
     double t_ = 0.0;
 };
 
-/// The first that is wrong.
+/// Failure with the first message that is not empty; success if all are empty.
 Verdict first_of(const std::vector<std::string>& all) {
     for (const std::string& wrong : all) {
         if (!wrong.empty()) { return fails(wrong); }
@@ -122,7 +122,7 @@ Verdict accelerations_agree(const Generated& generated) {
     const std::vector<double> flat = flat_of(scene, moment);
     if (const Verdict asked = here.look(0.0, flat); asked.kind != Verdict::Kind::holds) { return asked; }
 
-    // where the tree is made
+    // at the pose at which the tree is made
     TreeEquations tree(scene, flat);
     std::vector<double> y(at(tree.size()));
     tree.from_flat(flat.data(), y.data());

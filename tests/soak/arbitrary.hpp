@@ -9,7 +9,7 @@ namespace rc {
 
 namespace soak {
 
-// ranges of rapidcheck grow with the size: these are whole from the first mechanism on
+// rapidcheck's ranges grow with the size; these are complete from the first mechanism on
 constexpr int kWhole = 100;
 inline Gen<int> range(int from, int below) { return gen::resize(kWhole, gen::inRange(from, below)); }
 inline Gen<int> number(int count) { return range(0, count); }
@@ -28,7 +28,7 @@ template <>
 struct Arbitrary<jw::test::BodyRecipe> {
     static Gen<jw::test::BodyRecipe> arbitrary() {
         using T = jw::test::BodyRecipe;
-        // the last two of 17 hang from nothing
+        // the last two of the 17 numbers mean a free body
         const auto joint = gen::map(soak::number(17), [](int k) { return k < 15 ? k : jw::test::kFreeBody; });
         return gen::build<T>(
             gen::set(&T::parent, soak::number(12)), gen::set(&T::joint, joint),

@@ -10,7 +10,7 @@ Vec3 in_mirror(const Vec3& v) { return {v.x(), v.y(), -v.z()}; }
 
 using Kind = FormulaStep::Kind;
 
-/// Puts what these steps make of t in the place of t.
+/// Replaces t by the result of these steps applied to t.
 void take_time(TimeFormula& formula, const std::vector<FormulaStep>& change) {
     std::vector<FormulaStep> steps;
     for (const FormulaStep& step : formula.formula.steps) {
@@ -20,7 +20,7 @@ void take_time(TimeFormula& formula, const std::vector<FormulaStep>& change) {
     formula.formula.steps = steps;
 }
 
-/// Takes variables in these units, and multiplies the result by a factor.
+/// Divides the variables by `value` and `rate`, and multiplies the result by `factor`.
 void scale(ScalarFormula& law, double value, double rate, double factor) {
     std::vector<FormulaStep> steps;
     for (const FormulaStep& step : law.steps) {
@@ -34,7 +34,7 @@ void scale(ScalarFormula& law, double value, double rate, double factor) {
     law.steps = steps;
 }
 
-/// Takes lengths in other units, `length` times as many.
+/// Divides the lengths among the variables by `length`.
 void scale_lengths(ScalarFormula& formula, double length) {
     std::vector<FormulaStep> steps;
     for (const FormulaStep& step : formula.steps) {
@@ -141,7 +141,7 @@ private:
     double stiffness() const { return c_.mass / (c_.time * c_.time); }
     double damping() const { return c_.mass / c_.time; }
 
-    // @return by what its function of time is multiplied
+    // @return factor of its function of time
     double change(AngleMeasure& m) const {
         for (Vec3* v : {&m.s_i_local, &m.u_i_local, &m.u_j_local}) { *v = c_.local(*v); }
         return c_.hand();
@@ -216,7 +216,7 @@ TimeFunction backwards(const TimeFunction& f, double end) {
     }
     out.polynomial = sum;
     for (TimeFunction::Harmonic& h : out.harmonics) { h = {-h.amplitude, h.omega, -h.omega * end - h.phase}; }
-    // the way from 0 to 1 is that from 1 to 0 seen from its end
+    // seen from its end, a step from 0 to 1 is a step from 1 to 0
     for (TimeFunction::SmoothStep& s : out.steps) { s = {s.to, s.from, end - s.end, end - s.start}; }
     if (f.table) {
         std::vector<double> times(f.table->times.rbegin(), f.table->times.rend());
@@ -271,13 +271,13 @@ Generated played_backwards(Generated generated, double end) {
     for (Spring& s : generated.loads.springs) {
         s.damping = -s.damping;
         s.friction.size = -s.friction.size;
-        // the rate that is seen backwards
+        // backwards in time, the rate changes its sign
         if (s.law) { scale(*s.law, 1.0, -1.0, 1.0); }
     }
     for (RotationalSpring& s : generated.loads.rotational_springs) {
         s.damping = -s.damping;
         s.friction.size = -s.friction.size;
-        // the rate that is seen backwards
+        // backwards in time, the rate changes its sign
         if (s.law) { scale(*s.law, 1.0, -1.0, 1.0); }
     }
     return generated;

@@ -4,8 +4,7 @@
 #include "tests/support/generators/mechanism_of.hpp"
 #include "tests/support/random_mechanisms.hpp"
 
-/// Mechanisms that are the same seen otherwise: placed elsewhere, in a mirror, in other units, or backwards
-/// in time.
+/// Equivalent mechanisms: placed elsewhere, in a mirror, in other units, or backwards in time.
 namespace jw::test {
 
 /// Map of the world: x -> length · R S x + shift, with S = diag(1, 1, -1) in a mirror.
@@ -13,9 +12,9 @@ struct Change {
     Vec4 p = Vec4::Unit(0);     ///< of the rotation R
     Vec3 shift = Vec3::Zero();  ///< [m]
     bool mirrored = false;
-    double length = 1.0;  ///< so many times as long ...
-    double mass = 1.0;    ///< as heavy ...
-    double time = 1.0;    ///< and as slow
+    double length = 1.0;  ///< factor of all lengths
+    double mass = 1.0;    ///< factor of all masses
+    double time = 1.0;    ///< factor of all times
 
     /// A direction or a force, in the frame of a body; the frames are mirrored, too.
     Vec3 local(const Vec3& v) const;
@@ -27,8 +26,8 @@ struct Change {
     double hand() const { return mirrored ? -1.0 : 1.0; }
 };
 
-/// True if its equations say something else when the scene is turned: rows along global axes that were picked
-/// by hand, Euler parameters and coordinates that are driven.
+/// True if its equations change when the scene is turned: rows along global axes that were picked by hand,
+/// Euler parameters and coordinates that are driven.
 bool knows_directions(const Mechanism& mechanism);
 
 /// @param change without rotation and shift where the mechanism knows directions

@@ -7,7 +7,7 @@
 #include "tests/soak/ways.hpp"
 #include "tests/support/generators/to_model.hpp"
 
-/// Trees that drivers move: where every body is, is the product of what its joints do.
+/// Trees that drivers move: the pose of every body is the product of the motions of its joints.
 namespace jw::test {
 
 namespace {
@@ -16,8 +16,8 @@ namespace general = reference::general;
 using reference::Real;
 
 constexpr double kDuration = 0.3;
-// samples meet positions and velocities of every joint within the tolerance of 1e-9 (docs/dynamics.md); arms
-// of six bodies in a row and rates within a step multiply that, seen up to 1e-7
+// positions and velocities of every joint are within the tolerance of 1e-9 at samples (docs/dynamics.md);
+// arms of six bodies in a row and rates within a step multiply that: up to 1e-7 was seen
 constexpr double kAllowed = 1e-6;
 
 /// Change of the angle or displacement of a driver since the start, and its rate.
@@ -57,7 +57,7 @@ std::optional<JointMotion> motion_of_joint(const Mechanism& mechanism, int joint
     return out;
 }
 
-/// Origin and its velocity beside what a placed body says.
+/// Pose and velocities of a body at its origin rather than its centre of mass.
 struct Limb {
     reference::Vec3 r = reference::Vec3::Zero();
     reference::Vec3 v = reference::Vec3::Zero();
@@ -89,7 +89,7 @@ Limb carried(
     return out;
 }
 
-/// @return nothing where something is free
+/// @return nothing where a freedom is not driven
 std::optional<general::PlacedBodies> expected_at(const Generated& generated, Real t) {
     const Mechanism& mechanism = generated.mechanism;
     if (mechanism.joints.size() + 1 != mechanism.bodies.size()) { return std::nullopt; }

@@ -8,7 +8,7 @@
 #include "tests/soak/ways.hpp"
 #include "tests/support/generators/to_model.hpp"
 
-/// Power and energy: what forces and drivers give is what the bodies take up.
+/// Power and energy: the bodies take up the energy that forces and drivers put in.
 namespace jw::test {
 
 namespace {
@@ -20,8 +20,8 @@ constexpr double kDuration = 0.1;
 // as in methods.cpp: global errors of a run with tolerance 1e-9, in the unit of power times the duration
 constexpr double kAllowed = 1e-6;
 
-/// Power of all that is applied, written down from what each of them is [W]. The twists of turning springs
-/// are counted on from call to call.
+/// Power of all applied loads, each from its definition [W]. The twists of turning springs are counted on
+/// from call to call.
 class AppliedPower {
 public:
     explicit AppliedPower(const general::Model& model)
@@ -79,7 +79,7 @@ private:
         const general::TurningSpring& s = model_.turning_springs[k];
         const general::Taylor angle = general::angle_value(s.angle, placed);
         twists_[k] += std::remainder(angle.value - s.free_angle - twists_[k], 2.0L * reference::kPi);
-        // a torque about the axis on body i: where the axes part, the angle's rate is another
+        // the torque acts about the axis on body i: where the two axes differ, its rate is not the angle's
         const auto omega = [&](int body) { return placed[static_cast<std::size_t>(body)].omega; };
         const reference::Vec3 axis = general::direction_of(placed, s.angle.s).value;
         const Real turning = axis.dot(omega(s.angle.u_j.body) - omega(s.angle.u_i.body));
@@ -92,7 +92,7 @@ private:
     std::vector<Real> twists_;
 };
 
-/// Σ effort × rate of what is prescribed.
+/// Σ effort × prescribed rate of all drivers.
 Real power_of_drivers(const Generated& generated, const Reactions& reactions, double t) {
     Real power = 0.0L;
     for (const Reaction& reaction : reactions.reactions) {
@@ -136,7 +136,7 @@ std::string misses(const std::string& where, const char* what, double off) {
     return where + ": " + text;
 }
 
-/// Once, at the start, in every form of the equations.
+/// Checks the balance of power at the start, in every form of the equations.
 Verdict at_start(const Generated& generated, general::Mechanics& reference, double accelerated) {
     const Centroidal scene = centroidal(generated.mechanism, generated.loads);
     const general::Model& model = reference.model();
@@ -144,8 +144,8 @@ Verdict at_start(const Generated& generated, general::Mechanics& reference, doub
     AppliedPower applied(model);
     const Real loads = applied.at(placed, 0.0L);
     const double size = size_of_power(model, placed, accelerated, generated.length);
-    // how many digits there are is asked by accelerations.cpp and reactions.cpp; what is forgotten or of the
-    // wrong sign is off by its own size
+    // accelerations.cpp and reactions.cpp check the number of digits; a term that is missing or has the wrong
+    // sign is off by its own size
     const double c = generated.condition;
     const double limit = 1e-6 + 1e-11 * c * (c + std::pow(10.0, generated.recipe.near));
     for (const Form& form : accelerations_in_all_forms(scene)) {
@@ -159,8 +159,8 @@ Verdict at_start(const Generated& generated, general::Mechanics& reference, doub
     return holds();
 }
 
-// Gauss's quadrature of eight points, so many times along the way: short springs that swing past their end
-// ask for that
+// number of Gauss quadratures of eight points along the motion: short springs that swing past their end need
+// as many
 constexpr int kParts = 4;
 constexpr std::array kGauss{
     std::pair{0.1834346424956498, 0.3626837833783620}, std::pair{0.5255324099163290, 0.3137066458778873},
@@ -191,8 +191,8 @@ Samples samples_of(const Generated& generated, int parts) {
 }
 
 struct Balance {
-    double off = 0.0;     ///< by the size of the energy
-    std::string refused;  ///< why it says nothing
+    double off = 0.0;     ///< relative to the size of the energy
+    std::string refused;  ///< why the balance cannot be judged
 };
 
 Balance balance_of(
@@ -236,12 +236,12 @@ Verdict along_motion(const Generated& generated, general::Mechanics& reference, 
         Balance found = balance_of(generated, reference, tight, accelerated, kParts);
         if (!found.refused.empty()) { return holds(); }
         if (found.off <= kAllowed) { continue; }
-        // what converges is right
+        // an error that vanishes at a tighter tolerance is not a fault
         tight.settings.tolerance = 1e-11;
         found = balance_of(generated, reference, tight, accelerated, kParts);
         if (found.off <= kAllowed) { continue; }
-        // where a reach ends, or a pose is singular, power grows beyond all bounds: what the quadrature
-        // misses changes with its parts, and what the motion misses does not
+        // at the end of a reach, or at a singular pose, power grows without bound: errors of the quadrature
+        // change with the number of its parts, errors of the motion do not
         const Balance finer = balance_of(generated, reference, tight, accelerated, 4 * kParts);
         if (!finer.refused.empty() || std::abs(finer.off - found.off) > 0.1 * found.off) { return holds(); }
         return fails(misses(way.name, "kinetic energy", finer.off));
@@ -256,7 +256,7 @@ Verdict power_balances(const Generated& generated) {
     general::Mechanics reference(model_of(generated.mechanism, generated.loads));
     const double accelerated = size_of(reference.accelerations_at(reference.start()), generated.length);
     const Verdict start = at_start(generated, reference, accelerated);
-    // one in eight is moved, too; such that are slow enough for the quadrature
+    // one in eight is also moved, if it is slow enough for the quadrature
     const bool is_moved = generated.recipe.seed % 8 == 0 && accelerated < 300.0;
     if (start.kind != Verdict::Kind::holds || !is_moved || keeps_rows_by_hand(generated.mechanism)) {
         return start;

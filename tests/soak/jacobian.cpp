@@ -8,7 +8,7 @@
 #include "tests/support/moved_positions.hpp"
 #include "tests/support/scene_builder.hpp"
 
-/// Φq entry by entry, and its singular values, also where a pose is next to singular.
+/// Φq entry by entry, and its singular values, also at poses that are nearly singular.
 namespace jw::test {
 
 namespace {
@@ -75,7 +75,7 @@ Verdict jacobians_agree(const Generated& generated) {
     const double L = generated.length;
     Random random(static_cast<unsigned>(generated.recipe.seed));
     const State start = start_state(m);
-    // there the rows are what they are for; elsewhere nothing vanishes by chance
+    // at the start the rows are satisfied; at the disturbed pose nothing vanishes by chance
     for (const State& state : {start, disturbed(m, start, random, 0.3 * L, 0.3)}) {
         for (const std::string& wrong :
              {differs<TrueEulerParameters>(system, state, L),
@@ -98,12 +98,12 @@ Verdict spectra_agree(const Generated& generated) {
     if (!svd.sound) { return fails("the decomposition does not pass its own check"); }
     const VectorX exact = long_double_singular_values(jacobian);
     const double off = (svd.sigma - exact).cwiseAbs().maxCoeff();
-    // what is promised, and what Jacobi rotations do: a few roundings of the largest
+    // two bounds: the promised one, and that of Jacobi rotations, a few roundings of the largest
     const double few = 10.0 * std::sqrt(static_cast<double>(jacobian.rows() + jacobian.cols())) *
                        std::numeric_limits<double>::epsilon() * svd.sigma(0);
     if (!(off <= svd.error)) { return fails(off_by("singular value", 0, off, svd.error)); }
     if (!(off <= few)) { return fails(off_by("singular value", 0, off, few)); }
-    // near a singular pose, too, a verdict that is said to be decided is that of long double
+    // a verdict that is reported as decided is that of long double, also near a singular pose
     const RankReport report = analyse_rank(system, jacobian, assembler.phi());
     const int rank = report.rank - m.thetas_count();
     if (report.decided && generated.condition < 1e7 && rank != generated.rank) {

@@ -24,8 +24,8 @@ std::string number(const char* format, double value) {
 }  // namespace
 
 Verdict rank_agrees(const Generated& generated) {
-    // core calls what is below 1e-9 of the largest singular value zero; the pivots here are of unit rows in
-    // the metric of M
+    // core treats singular values below 1e-9 of the largest as zero; the pivots here are of unit rows in the
+    // metric of M
     if (!(generated.condition < 1e5)) { return not_asked("too near to a singular pose"); }
     const RankReport report = rank_of(generated.mechanism);
     // every screw has a row and a column more: its artificial theta
@@ -57,7 +57,7 @@ Verdict kinematics_agree(const Generated& generated) {
     const general::Accelerations a = reference.accelerations_at(y);
     const general::PlacedBodies placed = reference.bodies_at(y);
     const double L = generated.length;
-    // rounding times the condition, which masses and lengths of rows have a part in here
+    // rounding times the condition, which here also depends on masses and lengths of rows
     const double limit = 1e-11 * generated.condition;
     const double velocity = difference_of(found.velocity.velocity, start_motion(scene.mechanism), L);
     if (!(velocity <= limit * 10.0)) {

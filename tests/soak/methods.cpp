@@ -14,7 +14,7 @@ namespace general = reference::general;
 
 constexpr double kDuration = 0.3;
 constexpr int kSamples = 24;
-// of the long double reference: its own error is a thousandth of what is asked of core
+// of the reference in long double: its own error is a thousandth of the tolerance of core
 constexpr long double kReferenceTolerance = 1e-12L;
 // global errors of a run with tolerance 1e-9: a hundred steps, and what the motion multiplies in 0.3 s
 constexpr double kAllowed = 1e-6;
@@ -37,12 +37,12 @@ Expected expected_of(const Generated& generated, const std::vector<double>& time
     const auto receive = [&](const reference::VecX& y) {
         out.at.push_back(mechanics.bodies_at(y));
         const general::Accelerations a = mechanics.accelerations_at(y);
-        // beyond one the reference may go on along another branch
+        // beyond a singular pose the reference may follow another branch
         const double most = std::max(100.0, 10.0 * generated.condition);
         if (!(a.condition < most) || a.rank != generated.rank) {
             out.refused = "it comes near to a singular pose";
         }
-        // such a scene is stiff, or moves too far in 0.3 s for tolerances to say anything
+        // such a scene is stiff, or moves too far in 0.3 s for tolerances to mean anything
         if (!(size_of(a, generated.length) < 1e3)) { out.refused = "it moves too fast"; }
     };
     try {
@@ -100,7 +100,7 @@ Verdict methods_converge(const Generated& generated) {
     for (const Way& way : ways()) {
         Apart found = apart(generated, expected, times, way, 1e-9);
         if (found.ended.empty() && found.most <= kAllowed) { continue; }
-        // what converges is right: once more, tighter
+        // an error that vanishes at a tighter tolerance is not a fault
         const Apart tighter = apart(generated, expected, times, way, 1e-11);
         if (tighter.ended.empty() && tighter.most <= kAllowed) { continue; }
         char text[200];

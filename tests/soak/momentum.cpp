@@ -6,7 +6,7 @@
 #include "tests/soak/ways.hpp"
 #include "tests/support/generators/to_model.hpp"
 
-/// Systems that nothing outside acts on.
+/// Momentum of systems on which nothing outside acts.
 namespace jw::test {
 
 namespace {
@@ -95,7 +95,7 @@ Verdict rates_vanish(const Generated& generated, general::Mechanics& reference) 
     const general::PlacedBodies placed = reference.bodies_at(y);
     const double L = generated.length;
     const double size = size_of_unit(reference.model(), placed, L) * size_of(a, L);
-    // how many digits there are is asked by accelerations.cpp; what is not between two bodies is off by its
+    // accelerations.cpp checks the number of digits; a force that is not between two bodies is off by its
     // size
     const auto c = static_cast<double>(a.condition);
     const double limit = 1e-6 + 1e-11 * c * c;
@@ -107,7 +107,7 @@ Verdict rates_vanish(const Generated& generated, general::Mechanics& reference) 
 }
 
 struct Kept {
-    double most = 0.0;  ///< by its size
+    double most = 0.0;  ///< largest change, relative to the size
     bool to_the_end = true;
 };
 
@@ -159,11 +159,11 @@ Verdict momentum_stays(const Generated& generated) {
     }
     if (keeps_rows_by_hand(generated.mechanism)) { return holds(); }
     const general::Accelerations a = reference.accelerations_at(reference.start());
-    // such a scene is stiff, and the long way is asked of others
+    // such a scene is stiff; others are checked over a whole run
     if (!(size_of(a, generated.length) < 300.0)) { return holds(); }
     for (const Way& way : ways_of_momentum()) {
         const Kept found = kept(generated, reference, way, 1e-9);
-        // where a run ends early is another property's question
+        // another property checks runs that end early
         if (!found.to_the_end || found.most <= kAllowed) { continue; }
         const Kept tighter = kept(generated, reference, way, 1e-11);
         if (!tighter.to_the_end || tighter.most <= kAllowed) { continue; }

@@ -38,8 +38,7 @@ inline Motion motion_of(
     return out;
 }
 
-/// Scale of accelerations [1/s²]: the largest there is, or would be without the constraints that take it up;
-/// 1 at least.
+/// Scale of accelerations [1/s²]: the largest one with or without the constraints, at least 1.
 inline double size_of(const reference::general::Accelerations& a, double length) {
     long double size = 1.0L;
     for (std::size_t b = 0; b < a.v_dot.size(); ++b) {
@@ -56,7 +55,7 @@ inline double difference_of(const Motion& a, const Motion& b, double length) {
     for (std::size_t k = 0; k < a.r_dot.size(); ++k) {
         const double way = (a.r_dot[k] - b.r_dot[k]).norm() / length;
         const double turn = (a.omega_local[k] - b.omega_local[k]).norm();
-        // what is not a number is far off
+        // NaN counts as a large difference
         if (!(std::max(way, turn) <= most)) {
             most = std::isfinite(way + turn) ? std::max(way, turn) : HUGE_VAL;
         }

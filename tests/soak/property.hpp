@@ -22,14 +22,14 @@ inline Verdict not_asked(const std::string& why) { return {Verdict::Kind::not_as
 struct Property {
     std::string name;  ///< one word for the command line
     std::string says;  ///< a sentence that can be false
-    int most_bodies;   ///< about so many in the largest mechanisms
+    int most_bodies;   ///< approximate number in the largest mechanisms
     std::function<Verdict(const Generated&)> of;
     /// Converts a recipe first, for properties of mechanisms of one kind; empty: no conversion. Converting
     /// twice changes nothing more.
     std::function<Recipe(Recipe)> kind = {};
 };
 
-/// All there are.
+/// All properties.
 const std::vector<Property>& properties();
 
 Verdict accelerations_agree(const Generated& generated);
@@ -46,11 +46,11 @@ Verdict answers_transform(const Generated& generated);
 Verdict comes_back(const Generated& generated);
 Verdict joints_multiply(const Generated& generated);
 
-/// Two rows that are kept by hand may lose their rank on the way: the rule keeps them instead.
+/// Recipe in which the rule chooses rows: two rows that are kept by hand may lose their rank on the way.
 Recipe without_rows_by_hand(Recipe recipe);
-/// Nothing ties its bodies to the ground, all forces are between them.
+/// Recipe whose bodies are not connected to the ground; all forces are between the bodies.
 Recipe afloat(Recipe recipe);
-/// A tree in which all that the joints leave free is driven.
+/// Recipe of a tree in which every freedom of the joints is driven.
 Recipe driven_tree(Recipe recipe);
 
 }  // namespace jw::test

@@ -45,7 +45,7 @@ Verdict reactions_balance(const Generated& generated) {
         scene, 0.0, start_state(scene.mechanism), start_motion(scene.mechanism), motion_of(a, placed));
     const Pushed pushed = pushed_by(reactions, placed);
 
-    // what the constraints must have put on every body: M (a - M⁻¹ Q), by the reference
+    // forces of the constraints on every body, by the reference: M (a - M⁻¹ Q)
     double off = 0.0;
     double size = 0.0;
     for (std::size_t b = 0; b < placed.size(); ++b) {
@@ -64,8 +64,8 @@ Verdict reactions_balance(const Generated& generated) {
     for (const Reaction& reaction : reactions.reactions) {
         size = std::max(size, reaction.wrench.force.norm());
     }
-    // rounding of a least-squares solution: its condition, and ten for the worst of many. Beside a line or a
-    // pole a joint's directions are known to rounding over the distance from it.
+    // rounding of a least-squares solution: its condition, and ten for the worst of many. Near a line or a
+    // pole a joint's directions are known to rounding divided by the distance from it.
     const double limit = 1e-12 * generated.condition * std::pow(10.0, generated.recipe.near);
     if (off <= limit * size) { return holds(); }
     char text[120];

@@ -32,7 +32,7 @@ std::string text_of(const Recipe& recipe) {
     return out.str();
 }
 
-/// rapidcheck tells of every case on standard error; what there is to tell, the answer holds.
+/// Listener without rapidcheck's output about every case on standard error; the answer holds the results.
 class Silent : public rc::detail::TestListener {
 public:
     void onTestCaseFinished(const rc::detail::CaseDescription& /*description*/) override {}
@@ -41,14 +41,14 @@ public:
         const rc::detail::TestMetadata& /*metadata*/, const rc::detail::TestResult& /*result*/) override {}
 };
 
-/// A program that throws over a mechanism has not answered.
+/// Verdict on one mechanism; an exception is a failure.
 Verdict verdict_on(const Property& property, const Generated& generated) {
     try {
         return property.of(generated);
     } catch (const std::exception& error) { return fails(std::string("thrown: ") + error.what()); }
 }
 
-/// One property over many recipes; rapidcheck calls it again with smaller ones once it has failed.
+/// One property over many recipes; rapidcheck calls it again with smaller recipes once it has failed.
 class Asking {
 public:
     Asking(const Property& property, const Asked& asked, Answer& answer)

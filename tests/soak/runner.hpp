@@ -8,14 +8,14 @@
 
 #include "tests/soak/property.hpp"
 
-/// Asks a property of many mechanisms, and makes the first that fails as small as it gets.
+/// Checks a property on many mechanisms, and shrinks the first one that fails.
 namespace jw::test {
 
 struct Asked {
     int count = 100;  ///< mechanisms that it must hold for
     std::uint64_t seed = 1;
-    double shrink_seconds = 20.0;  ///< then the smallest so far is good enough
-    double seconds = 1e9;          ///< after which no other mechanism is asked [s]
+    double shrink_seconds = 20.0;  ///< after which the smallest so far is taken [s]
+    double seconds = 1e9;          ///< after which no other mechanism is checked [s]
 };
 
 struct Counterexample {

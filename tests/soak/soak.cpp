@@ -43,7 +43,7 @@ void usage() {
     }
 }
 
-/// @return false if there is nothing to do with them
+/// @return false if the arguments are not valid
 bool read(int count, char** arguments, Options& options) {
     for (int k = 1; k < count; ++k) {
         const std::string name = arguments[k];

@@ -26,14 +26,14 @@ void ask_of_first_seeds(const std::string& name, int count) {
         const test::Answer answer = test::ask(property(name), asked);
         INFO((answer.wrong ? answer.wrong->why + '\n' + answer.wrong->recipe : std::string()));
         CHECK(!answer.wrong);
-        // a property that is asked of nothing says nothing
+        // a property that was checked on no mechanism proves nothing
         CHECK(answer.held > 0);
     }
 }
 
 }  // namespace
 
-TEST_CASE("A recipe that is written down is read as it was", "[soak]") {
+TEST_CASE("A recipe survives writing and reading", "[soak]") {
     test::Recipe recipe;
     recipe.family = test::Family::planar;
     recipe.near = 3;
@@ -56,7 +56,7 @@ TEST_CASE("A recipe that is written down is read as it was", "[soak]") {
     CHECK_FALSE(test::recipe_in(none));
 }
 
-TEST_CASE("Generated mechanisms that were answered wrongly once are answered rightly now", "[soak]") {
+TEST_CASE("Generated mechanisms that once failed a property now have it", "[soak]") {
     int asked = 0;
     for (const auto& file : std::filesystem::directory_iterator(JW_ONCE_WRONG)) {
         CAPTURE(file.path().filename());
@@ -85,15 +85,13 @@ TEST_CASE("Velocities and accelerations of driven mechanisms are those of the re
     ask_of_first_seeds("kinematics", 1000);
 }
 
-TEST_CASE("Generated mechanisms that are pushed off come back onto the constraints", "[soak]") {
-    ask_of_first_seeds("assembly", 1000);
-}
+TEST_CASE("Disturbed mechanisms assemble again", "[soak]") { ask_of_first_seeds("assembly", 1000); }
 
 TEST_CASE("Accelerations are the same in all forms of the equations and in long double", "[soak]") {
     ask_of_first_seeds("accelerations", 1000);
 }
 
-TEST_CASE("Power and energy of generated mechanisms are what forces and drivers put in", "[soak]") {
+TEST_CASE("Power of forces and drivers equals the change of energy", "[soak]") {
     ask_of_first_seeds("energy", 1000);
 }
 
@@ -117,6 +115,6 @@ TEST_CASE("Every method converges to the motion of the reference", "[soak]") {
     ask_of_first_seeds("motions", 60);
 }
 
-TEST_CASE("Reactions and loads move every body as Newton and Euler say", "[soak]") {
+TEST_CASE("Reactions and loads satisfy the equations of Newton and Euler", "[soak]") {
     ask_of_first_seeds("reactions", 1000);
 }

@@ -8,7 +8,7 @@
 #include "tests/soak/ways.hpp"
 #include "tests/support/generators/to_model.hpp"
 
-/// A mechanism that is laid, mirrored or made otherwise does the same, laid, mirrored or made otherwise.
+/// A mechanism that is moved, mirrored or rescaled has the same motion, moved, mirrored or rescaled.
 namespace jw::test {
 
 namespace {
@@ -24,7 +24,7 @@ Change change_of(const Generated& generated) {
     const Vec4 p = random.unit_p();
     const Vec3 shift = random.vector(generated.length);
     change.mirrored = maybe();
-    // a thing of millimetres, of tons, in slow motion
+    // other sizes, other masses, and slow motion
     if (maybe()) { change.length = std::pow(10.0, random.number(-2.0, 2.0)); }
     if (maybe()) { change.mass = std::pow(10.0, random.number(-3.0, 3.0)); }
     if (maybe()) { change.time = std::pow(10.0, random.number(-1.0, 1.0)); }
@@ -67,7 +67,7 @@ Verdict answers_transform(const Generated& generated) {
     general::Mechanics reference(model_of(generated.mechanism, generated.loads));
     const general::Accelerations a = reference.accelerations_at(reference.start());
     const double size = size_of(a, generated.length) / (change.time * change.time);
-    // how many digits there are is asked by accelerations.cpp; what knows of a direction or of a unit is off
+    // accelerations.cpp checks the number of digits; a term that depends on a direction or on a unit is off
     // by its own size
     const auto c = static_cast<double>(a.condition);
     const double limit = 1e-5 + 1e-10 * c * c;
@@ -100,7 +100,7 @@ std::optional<Snapshot> end_of(const Generated& generated, const Way& way) {
     return end;
 }
 
-/// The mechanism begins where a run has come to, and moves back.
+/// Starts the mechanism at the end of a run, with the opposite velocities.
 void begin_at(Mechanism& mechanism, const Snapshot& snapshot) {
     for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
         Body& body = mechanism.bodies[b];
@@ -142,7 +142,7 @@ double difference_back(const Mechanism& start, const Snapshot& back, double leng
     return most;
 }
 
-/// Why a motion from here on says nothing; empty if it does.
+/// Reason why a motion from here on cannot be judged; empty if it can.
 std::string why_not(const Generated& generated) {
     general::Mechanics reference(model_of(generated.mechanism, generated.loads));
     const general::Accelerations a = reference.accelerations_at(reference.start());
@@ -150,7 +150,7 @@ std::string why_not(const Generated& generated) {
     return size_of(a, generated.length) < 300.0 ? "" : "it moves too fast";
 }
 
-/// A spring that is wound by more than half a turn on the way is another one when it begins there.
+/// True if a spring is wound by more than half a turn on the way: a start from there would lose its turns.
 bool winds_springs(const Generated& there, const Generated& back) {
     const auto angles = [](const Generated& g) {
         general::Mechanics mechanics(model_of(g.mechanism, g.loads));
@@ -192,7 +192,7 @@ Verdict comes_back(const Generated& generated) {
     for (const Way& way : ways()) {
         const std::optional<double> off = misses(generated, way, 1e-9);
         asked = asked || off;
-        // a run that ends early is asked after elsewhere
+        // another property checks runs that end early
         if (!off || *off <= kAllowed) { continue; }
         const std::optional<double> tighter = misses(generated, way, 1e-11);
         if (!tighter || *tighter <= kAllowed) { continue; }

@@ -20,7 +20,7 @@ std::vector<Way> ways();
 /// `times` and, between their ends, those at which a function of time has a jump in a derivative.
 std::vector<double> with_events(const Generated& generated, std::vector<double> times);
 
-/// Such rows may lose their rank on the way.
+/// True if rows are kept by hand: such rows may lose their rank on the way.
 bool keeps_rows_by_hand(const Mechanism& mechanism);
 
 }  // namespace jw::test

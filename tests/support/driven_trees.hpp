@@ -42,7 +42,7 @@ struct DrivenTree {
     }
 };
 
-/// Up to two turns in 2 s, now and then in haste; threads from 3 mm a turn on, either way round.
+/// Random tree: up to two turns in 2 s, sometimes with a fast step; threads of either hand from 3 mm a turn.
 inline DrivenTree driven_tree(Random& random, int bodies) {
     SceneBuilder scene;
     DrivenTree tree;

@@ -6,7 +6,7 @@
 
 #include "lessons/lesson/lesson.hpp"
 
-/// Putting together a lesson of dynamics in code.
+/// Construction of a lesson of dynamics in code.
 namespace jw::test {
 
 inline const Vec3 kX = Vec3::UnitX();
@@ -16,7 +16,7 @@ inline constexpr double kGravity = 9.81;
 
 /// A solid box about its middle, edges along the axes of its frame.
 MassProperties box_mass(double mass, const Vec3& edges);
-/// One body of two that are fixed to each other, both given in the same frame.
+/// Mass of two bodies that are fixed to each other, both given in the same frame.
 MassProperties together(const MassProperties& a, const MassProperties& b);
 
 /// A bar between two points and a hub across its end: what a link of a plane mechanism looks like.

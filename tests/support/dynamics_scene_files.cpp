@@ -5,7 +5,7 @@ namespace jw::test {
 
 namespace {
 
-/// A lesson of the course, with what its author asks, proposes and sums up.
+/// A lesson of the course, with the questions, trials and summary of its author.
 SceneFile lesson_of_course(std::string_view file, const Lesson& scene) {
     return {
         std::filesystem::path("catalogue/dynamics") / (std::string(file) + ".toml"),
@@ -15,7 +15,7 @@ SceneFile lesson_of_course(std::string_view file, const Lesson& scene) {
 }  // namespace
 
 std::vector<SceneFile> dynamics_scene_files() {
-    // too many bodies to be told joint by joint: to measure with
+    // too many bodies to be explained joint by joint: for measurements
     const std::filesystem::path benchmark = "benchmark";
     return {
         lesson_of_course("simple-pendulum", simple_pendulum()),

@@ -131,7 +131,7 @@ one pendulum, so the exact motion is known.)");
     scene.plan().point_at_end = end_of_four_bar(n);
     const int columns = 6 * (2 * n + 1);
     scene.claim(5 * (3 * n + 1), columns - 1, 1, "Three equations of every window are redundant.");
-    if (n > 4) { return scene.lesson; }  // those of the benchmarks are compared by their ends
+    if (n > 4) { return scene.lesson; }  // the scenes of the benchmarks are compared by their ends
     scene.prove(
         0.0, "rod 0.r_ddot.y", -0.5, 1e-9,
         "Upright, there is no angular acceleration: the rod's centre accelerates down at ω² l / 2.");

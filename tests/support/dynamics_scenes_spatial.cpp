@@ -199,7 +199,7 @@ with 1 rad/s about y.)") +
     if (!hinges && n == 16) { end_at(-11.109223802811, -11.234590750691, -1.251050701962); }
     const int rows = (hinges ? 5 : 3) * n;
     scene.claim(rows, rows, 6 * n - rows, "A tree has no redundant equations.");
-    if (n > 4) { return scene.lesson; }  // those of the benchmarks are compared by their ends
+    if (n > 4) { return scene.lesson; }  // the scenes of the benchmarks are compared by their ends
     // of the middles, and of J about y: 1.01 / 12 kg m²
     double pull = 0.0;
     double kinetic = 0.0;

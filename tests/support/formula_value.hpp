@@ -50,7 +50,7 @@ inline long double formula_value(
     return stack.back();
 }
 
-/// The same of one variable.
+/// Value of a formula of one variable.
 inline long double formula_value(const std::vector<FormulaStep>& steps, long double t) {
     return formula_value(steps, std::span<const long double>(&t, 1));
 }

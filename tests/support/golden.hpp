@@ -4,14 +4,14 @@
 
 #include "render/files/image.hpp"
 
-/// Pictures of windows that were looked at. `./dev golden` draws them anew; look at each before it is
-/// committed. They are compared as the colours of snapshots are, by the same rules.
+/// Golden pictures of windows, each checked by eye. `./dev golden` draws them again; look at each before it
+/// is committed. They are compared by the same rules as the colours of snapshots.
 namespace jw::test {
 
-/// True where golden pictures are drawn anew instead of compared.
+/// True where golden pictures are drawn again instead of being compared.
 bool draws_goldens();
 
-/// Checks that the picture is the golden one, or draws that anew.
+/// Checks that the picture is the golden one, or draws the golden one again.
 /// @param file  below the root of the sources
 void compare_with_golden(const std::string& file, const render::Image& now);
 

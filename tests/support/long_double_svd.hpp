@@ -5,7 +5,7 @@
 
 #include "core/numerics/linear.hpp"
 
-/// Singular values to 19 digits, by the plainest of all ways.
+/// Singular values to 19 digits, by the simplest method.
 namespace jw::test {
 
 using MatrixL = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;

@@ -4,7 +4,7 @@
 
 namespace jw::test {
 
-/// Number in a variable of the environment, for tests that can do more than their share: loops, seeds.
+/// Number from an environment variable, for tests that can run more than their default: loops, seeds.
 inline unsigned number_from(const char* name, unsigned otherwise) {
     const char* const text = std::getenv(name);
     return text == nullptr ? otherwise : static_cast<unsigned>(std::strtoul(text, nullptr, 10));

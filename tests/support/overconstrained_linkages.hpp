@@ -36,13 +36,13 @@ inline Eigen::Isometry3d turn(double angle, const Vec3& axis) {
     return Eigen::Isometry3d(Eigen::AngleAxisd(angle, axis));
 }
 inline Eigen::Isometry3d about_z(double angle) { return turn(angle, Vec3::UnitZ()); }
-/// Along a link to its next hinge.
+/// Transform along a link to its next hinge.
 inline Eigen::Isometry3d link(double length, double twist) {
     return Eigen::Translation3d(length, 0.0, 0.0) * turn(twist, Vec3::UnitX());
 }
 inline double apart(double a, double b) { return std::abs(std::remainder(a - b, 2.0 * kPi)); }
 
-/// The loop laid anywhere; points of the axes are moved along these.
+/// The loop at a random place; points of the axes are moved along the axes.
 inline HingeLoop laid(HingeLoop loop, Random& random) {
     Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
     place.linear() = rotation_matrix(random.unit_p());
@@ -132,7 +132,7 @@ inline HingeLoop myard_loop(Random& random) {
     return joined_bennetts("Myard 5R", one, other, 0.0, random);
 }
 
-/// Two legs of three parallel hinges each: what they carry moves along a straight line and does not turn.
+/// Two legs of three parallel hinges each: the body on them moves along a straight line and does not turn.
 /// @source Sarrus, Comptes rendus de l'Académie des sciences 36 (1853)
 inline HingeLoop sarrus_loop(Random& random) {
     HingeLoop loop{"Sarrus", {}, 15.0, [](const std::vector<double>& turns) {

@@ -28,7 +28,7 @@ inline std::vector<ProvedPrimitive> polynomial_formulas(Random& random) {
         formula_of(random, 1.5, power(component(s_j, 0), 2.0) - dot(A_i_x, A_j_z) / number(4.0))};
 }
 
-/// Formulas that are none: bounded wherever bodies are, or only where these are not too far away.
+/// Formulas that are not polynomials: bounded at all poses, or only if the bodies are not too far away.
 inline std::vector<ProvedPrimitive> other_formulas(Random& random) {
     using namespace authored;
     using enum FormulaVector;

@@ -9,7 +9,7 @@
 /// Mechanisms with masses and loads, and states that they can be in.
 namespace jw::test {
 
-/// Sizes apart by up to ten; J' is turned against the body frame, the centre of mass lies beside its origin.
+/// Sizes differ by up to ten times; J' is turned against the body frame, the centre is not at the origin.
 inline MassProperties random_mass(Random& random) {
     MassProperties m;
     m.mass = random.number(0.3, 3.0);

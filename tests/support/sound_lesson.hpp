@@ -142,7 +142,7 @@ inline bool loads_are_sound(const Mechanism& m, const Loads& loads) {
                loads.springs, [&](const auto& s) { return moves(s.body_i) || moves(s.body_j); });
 }
 
-/// True if a lesson is as everything that uses lessons takes for granted.
+/// True if a lesson satisfies all conditions that its users take for granted.
 inline bool is_sound(const Lesson& lesson) {
     const Mechanism& m = lesson.mechanism;
     const auto body = [&](int index) { return index >= 0 && index < static_cast<int>(m.bodies.size()); };

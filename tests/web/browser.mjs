@@ -1,7 +1,7 @@
 // Chromium with the page in it, for tests: everything is done as a person does it, by mouse, keys and addresses.
 import puppeteer from "../../build/web-npm/node_modules/puppeteer-core/lib/esm/puppeteer/puppeteer-core.js";
 
-// [ms] a software renderer on a busy machine takes its time
+// [ms] a software renderer on a busy machine is slow
 const PATIENCE = 120000;
 
 export function startBrowser(flags = []) {
@@ -17,12 +17,12 @@ export function startBrowser(flags = []) {
 export function startFirefox() {
   return puppeteer.launch({
     browser: "firefox", executablePath: process.env.FIREFOX ?? "/usr/bin/firefox-esr", headless: false, protocolTimeout: PATIENCE,
-    // a software renderer is none that Firefox takes by itself
+    // Firefox does not use a software renderer by itself
     extraPrefsFirefox: { "webgl.force-enabled": true },
   });
 }
 
-/** A visit of the page. What the console tells, and what is asked of other hosts, is kept in `faults`. */
+/** A visit of the page. Messages of the console and requests to other hosts are kept in `faults`. */
 export class Visit {
   static async begin(browser, address, { width = 1280, height = 761, touch = false, ratio = 1, context } = {}) {
     const visit = new Visit();
@@ -52,7 +52,7 @@ export class Visit {
   async ready() {
     await this.tab.waitForFunction(() => window.jointwise?.loop.frames > 0 || document.querySelector(".missing h1"), { timeout: PATIENCE });
   }
-  /** Waits until nothing changes without the person any more. */
+  /** Waits until nothing changes any more without input. */
   async rest() {
     await this.tab.waitForFunction(() => {
       const { loop } = window.jointwise;
@@ -80,7 +80,7 @@ export class Visit {
     await this.tab.waitForFunction((w, h) => { const c = document.getElementById("canvas"); return c.width === w && c.height === h; }, { timeout: PATIENCE }, width, height);
     await this.rest();
   }
-  /** The canvas as the data of a PNG, drawn anew: what was shown is the browser's. */
+  /** The canvas as the data of a PNG, drawn again, since the browser keeps the picture that was shown. */
   picture() {
     return this.tab.evaluate(() => {
       const canvas = document.getElementById("canvas");

@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 program, fonts, lessons = sys.argv[1], sys.argv[2], Path(sys.argv[3])
-# levels of 255: other letters stand in the texture, so where they stand in it, and roundings there, are others
+# levels of 255: the texture holds other letters, so their places in it, and roundings there, differ
 ROUNDING = 2
 
 
@@ -35,7 +35,7 @@ def run(with_those_of_the_page, *arguments):
 
 with tempfile.TemporaryDirectory() as place:
     place = Path(place)
-    # a letter that the page has not is told, in case nothing were
+    # a letter that the page lacks is reported: a check that never reports would prove nothing
     strange = place / "strange.toml"
     strange.write_text((lessons / "catalogue/joints/revolute.toml").read_text().replace("title = \"", "title = \"ա ", 1))
     assert "[JW" not in run(False, "check", strange).stderr and "ա" in run(True, "check", strange).stderr, run(True, "check", strange).stderr

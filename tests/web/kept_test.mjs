@@ -34,7 +34,7 @@ const paste = (v, text) => v.tab.evaluate((t) => {
   document.activeElement.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
 }, text);
 const startAnswer = async (v) => {
-  // no other tab's clipboard
+  // not the clipboard of another tab
   await v.tab.evaluateOnNewDocument(() => { navigator.clipboard.writeText = async (text) => { window.copied = text; }; });
   await v.open(EXERCISE);
   await v.rest();

@@ -1,10 +1,10 @@
-// Test of lessons whose story takes long: told in turns of the page, with progress, and given up at will.
+// Test of lessons whose story takes long: it runs in turns of the page, with progress, and can be cancelled.
 import { Visit } from "./browser.mjs";
 import { browser, check, equal, noFaults, served, test } from "./suite.mjs";
 import { rowOfRods } from "./row_of_rods.mjs";
 
 const address = await served("build/web/page");
-// of two lengths: told in a moment, and as long as a lesson can be
+// two lengths: a short story, and the longest that a lesson can have
 const [LONG, ENDLESS] = [300, 499];
 
 /** A page with both lessons beside those of the catalogue. */
@@ -58,7 +58,7 @@ test("The sheet of a long lesson is drawn now and then while turns follow each o
     let any = false;
     const draw = WebGL2RenderingContext.prototype.drawElements;
     WebGL2RenderingContext.prototype.drawElements = function (...what) { any = true; return draw.apply(this, what); };
-    // the first two are drawn for ImGui to come to rest
+    // the first two frames are drawn so that ImGui comes to rest
     const turns = [];
     for (let k = 0; k < 14; ++k) {
       any = false;
@@ -84,7 +84,7 @@ test("A link that is given up, by the keyboard wherever it is, leads back to the
   await v.rest();
   await v.tab.waitForFunction(() => location.hash.startsWith("#endless"), { timeout: 20000 });
   const open_one = await v.tab.evaluate(() => location.hash);
-  // back to the four-bar, forward to the rods and given up, and forward again
+  // back to the four-bar, forward to the rods and cancelled, and forward again
   await v.tab.goBack();
   await v.tab.waitForFunction((hash) => location.hash === hash && window.jointwise.program.state().told_part === undefined, { timeout: 20000 }, before[0]);
   await v.rest();

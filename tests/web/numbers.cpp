@@ -14,9 +14,9 @@
 #include "lessons/lesson/enum_words.hpp"
 #include "lessons/read/reader.hpp"
 
-/// The numbers of lessons, as the commands of the same names tell them by default: a program without files
-/// but those that it is given, which also runs where there are no commands. What it prints is the same on
-/// every machine, which numbers_test.py asks of several.
+/// The numbers of lessons, as the commands of the same names print them by default. The program reads only
+/// the files that it is given, and also runs where there are no commands. Its output is the same on every
+/// machine, which numbers_test.py checks on several.
 ///
 ///     numbers FILE...            for each document of each lesson its hash, its size and its name
 ///     numbers --json NAME FILE   one document
@@ -63,7 +63,7 @@ std::string simulation_of(const Lesson& lesson, DynamicsRequest request) {
     return json_document(json_of(simulate(lesson, request), lesson));
 }
 
-/// By another method, for a quarter of the lesson's time.
+/// Simulation by another method, for a quarter of the lesson's time.
 std::string simulation_by(const Lesson& lesson, Method method, Formulation formulation) {
     DynamicsRequest request = request_of(lesson);
     request.settings.method = method;

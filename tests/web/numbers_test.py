@@ -14,7 +14,7 @@ NARROW = "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX"
 
 
 def hashes(command, lessons, **variables):
-    """What `command` prints for the lessons, as {(document, lesson): (hash, size)}."""
+    """Output of `command` for the lessons, as {(document, lesson): (hash, size)}."""
     run = subprocess.run(command + lessons, capture_output=True, text=True, env=os.environ | variables)
     assert run.returncode == 0, (command, run.stderr)
     found = {}

@@ -17,7 +17,7 @@ function report(what, value, unit, most, least) {
   console.log(`${what.padEnd(58)} ${value.toFixed(value < 10 ? 2 : 0).padStart(8)} ${unit.padEnd(12)} ${budget}${bad ? "  OVER" : ""}`);
 }
 
-// what the first lesson needs: all but the text editor and the letters of Chinese
+// files that the first lesson needs: all but the text editor and the letters of Chinese
 let compressed = 0;
 for (const file of readdirSync(folder)) {
   if (file === "text_editor.js" || file === "chinese.ttf") { continue; }
@@ -57,7 +57,7 @@ const frames = await v.tab.evaluate(() => {
 report("frame that shows the same lesson: median", frames.median, "ms");
 report("frame that shows the same lesson: longest", frames.largest, "ms", 50);
 
-// a body of the closed four-bar is pulled to and fro: each frame solves for another place of the hand
+// a body of the closed four-bar is pulled to and fro: each frame solves for another place of the pointer
 await v.open("#four-bar/28");
 await v.rest();
 const pulls = (scale) => v.tab.evaluate((k) => {
@@ -111,7 +111,7 @@ const memory = [await steps(500), await steps(9500)];
 report("memory after 500 steps", memory[0] / 1e6, "MB");
 report("memory after 10,000 steps, beyond that", (memory[1] - memory[0]) / 1e6, "MB", 0);
 
-// told in turns of the page; what is drawn on the software renderer is not counted
+// the story runs in turns of the page; drawing by the software renderer is not counted
 const w = await Visit.begin(browser, address);
 await w.open("#four-bar");
 await w.rest();

@@ -140,14 +140,14 @@ test("An address that leads nowhere says so, and nothing is lost", async () => {
   await v.close();
 });
 
-test("A reader of the screen is told exercises and verdicts, and of them what is new", async () => {
+test("A screen reader announces exercises and new verdicts", async () => {
   await visitAlone({ hash: "#newton-raphson/3" }, async (v) => {
     const told = (words) => v.tab.waitForFunction((w) => document.getElementById("story").textContent.includes(w), { timeout: 20000 }, words);
     const step = await v.state();
     await told(step.text);
     await v.type("6");
     await told("Chosen: 1. ");
-    // what a reader says: lines that come
+    // a screen reader says the lines that are added
     await v.tab.evaluate(() => {
       window.said = [];
       new MutationObserver((changes) => {
@@ -183,7 +183,7 @@ test("The page draws what the program draws", async () => {
 
 test("Cost of accuracy is measured in another copy of the program, with the errors of the program, and can be stopped", async () => {
   const lesson = join(mkdtempSync(join(tmpdir(), "jointwise-price-")), "four-bar-1.toml");
-  // elsewhere it has no stored reference, as in the page
+  // outside the catalogue it has no stored reference, as in the page
   copyFileSync(join(catalogue, "dynamics/four-bar-1.toml"), lesson);
   const native = JSON.parse(execFileSync(join(root, "build/release/app/jointwise"), ["bench", lesson, "--format", "json"], { stdio: ["ignore", "pipe", "ignore"] }));
   rmSync(dirname(lesson), { recursive: true });

@@ -1,4 +1,4 @@
-// Test of the page in a hand: on phones and tablets, by touch.
+// Test of the page on phones and tablets, by touch.
 import { Visit } from "./browser.mjs";
 import { browser, check, equal, noFaults, served, test } from "./suite.mjs";
 
@@ -25,7 +25,7 @@ class Finger {
     await this.send("touchStart", [x, from]);
     for (let y = from; Math.abs(y - to) >= 5; y += 5 * Math.sign(to - from)) {
       await this.send("touchMove", [x, y]);
-      // a screen tells where a finger is once in a frame, however long that takes
+      // a screen reports the place of a finger once in a frame, however long the frame takes
       await this.v.tab.evaluate(() => new Promise((next) => requestAnimationFrame(next)));
     }
     await this.send("touchEnd");

@@ -1,6 +1,6 @@
 /**
  * A lesson of rods in a row, hinged one to the next: as large as a test wants it.
- * @param apart  [m] of every second rod from its place: it takes four times as long to tell
+ * @param apart  [m] distance of every second rod from its place: the story takes four times as long
  */
 export function rowOfRods(count, apart = 0) {
   const lines = ["format = 1", 'title = "A row of rods"', 'text = "As long as one likes."'];

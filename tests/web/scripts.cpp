@@ -7,8 +7,8 @@
 #include "app/web/keys.hpp"
 #include "lessons/files/catalogue.hpp"
 
-/// The interface led by a script, as a page is led by its browser: events in, states out. Each line of the
-/// input is an event; each line of the output is the address and the state after a frame.
+/// The interface driven by a script, as a page is driven by its browser: events in, states out. Each line of
+/// the input is an event; each line of the output is the address and the state after a frame.
 namespace {
 
 using jw::host::InputEvent;

@@ -30,7 +30,7 @@ function scriptOf(name, seed, length, trials) {
     } else if (kind < 0.35) {
       press(one(["ArrowRight", "ArrowLeft", "PageDown", "PageUp", "Home", "End", "Space", "Escape", "Enter"]));
     } else if (kind < 0.65) {
-      // no exercises, prices and files: they take their time, or leave the page
+      // no exercises, prices and files: they take long, or leave the page
       lines.push(`text ${one([..."1345fxyzvuU0tT.,+-[]{}mMda"]).codePointAt(0)}`, "frame 0.05");
     } else {
       const timeline = random() < 0.4;
@@ -81,7 +81,7 @@ test("Scripts of events lead the page and the program to the same states", async
       return told;
     }, script);
     check(here.length === there.length, `${name}: ${here.length} states here, ${there.length} in the page`);
-    // where files are is another place; where the eye is comes from sines of the C library, whose last digit may differ
+    // the paths of files differ; the place of the eye comes from sines of the C library, whose last digit may differ
     const CAMERA = /[?&]camera=[^&\t]*|"camera":\[[^\]]*\]/gu;
     const placeless = (text) => text.replace(/"file":"[^"]*"/u, "").replace(CAMERA, "");
     const camera = (text) => (text.match(CAMERA) ?? []).join(" ").match(/-?[\d.]+(e[-+]?\d+)?/gu)?.map(Number) ?? [];

@@ -10,7 +10,7 @@ const LESSON = "lessons/loops/four-bar.html";
 const address = await served("build/site");
 const pages = readdirSync(join(root, "build/site"), { recursive: true }).filter((f) => f.endsWith(".html") && !f.startsWith("live")).sort();
 
-/** A visit of a page whose figure waits until it is asked for, as on a line that counts each byte; it must end without faults. */
+/** A visit of a page whose figure loads only on demand, as on a metered line; it must end without faults. */
 async function visitPage(path, run, { saving = true, scripts = true, ...options } = {}) {
   const context = await browser.createBrowserContext();
   const v = await Visit.begin(browser, address, { context, width: 1280, height: 800, ...options });
@@ -74,7 +74,7 @@ test("The search of the site finds what the program finds", async () => {
 test("The figure of a lesson runs when it comes into view, and is led by the page", async () => {
   await visitPage(LESSON, async (v, tab) => {
     await new Promise((later) => setTimeout(later, 500));
-    // on a phone it stands below the words
+    // on a phone the figure stands below the words
     equal(await tab.evaluate(() => document.querySelectorAll("iframe").length), 0, "figures that nobody sees");
     await tab.evaluate(() => document.querySelector("figure.live").scrollIntoView());
     const program = await programIn(tab);

@@ -1,4 +1,4 @@
-// What the tests of the page and of the site share: one browser, servers, checks.
+// Parts that the tests of the page and of the site share: one browser, servers, checks.
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -28,7 +28,7 @@ export function equal(found, expected, what) {
 }
 export function noFaults(visit) { equal(visit.faults, [], "faults"); }
 
-/** Checks that a visit of 1280x720 pixels shows a step as the program draws it, and that the next step would not pass for it. */
+/** Checks that a visit of 1280x720 pixels shows a step as the program draws it, and that the next step differs from it. */
 export async function checkLooksAsInProgram(v, name, step) {
   const program = join(root, "build/release/app/jointwise");
   check(existsSync(program), "build the program first: ./dev setup");

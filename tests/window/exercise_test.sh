@@ -35,7 +35,7 @@ awk -v folder="$exercises" -v own="rows-of-$$" '
     inside && /^lesson = / { next }
     inside { sub(/^scene = "/, "scene = \"" folder "/"); print }' "$exercises/jacobians.toml" >>"$folder/mine.toml"
 
-# Enter leads from the list into the exercise, into the field, and checks what stands there
+# Enter leads from the list into the exercise, into the field, and checks the answer there
 enter_until() {
     xdotool key Return
     sleep 0.3
@@ -57,7 +57,7 @@ open_program "A program is asked for"
 xdotool key 6
 await 60 "a right program is judged right" enter_until grep -qs "solved = 1" "$progress"
 
-# closed while a program sleeps: at once, and the program with it
+# closed while a program sleeps: the window closes at once, and the program ends with it
 echo 'import time; time.sleep(1000)' >"$answer"
 await 60 "the sleeping program runs" enter_until runs
 close_program

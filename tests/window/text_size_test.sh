@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The real program in a real window: text that is made larger and smaller before whatever makes pictures anew, and
-# what was tried when the window is closed or killed.
+# The real program in a real window: text that is made larger and smaller before everything that makes pictures again, and
+# changes to the lesson when the window is closed or killed.
 # Called by ctest: text_size_test.sh PROGRAM FOUR-BAR-LESSON. Needs Xvfb and xdotool.
 set -euo pipefail
 
@@ -23,7 +23,7 @@ drawn() {
 open_display
 cp "$lesson" "$folder/mine.toml"
 
-# every key that makes framebuffers or textures anew, right behind another size of text
+# every key that makes framebuffers or textures again, directly after another size of text
 open_program "four-bar" --try "take out motor"
 await 60 "the experiment" title_has "(changed)"
 for sequence in "plus space" "minus space" "plus resize:1100x700" "minus resize:900x640" "plus g Escape" \
@@ -39,7 +39,7 @@ for sequence in "plus space" "minus space" "plus resize:1100x700" "minus resize:
 done
 [ ! -s "$folder/log" ] || fail "something was complained about"
 
-# killed: what was tried is there all the same
+# killed: all changes to the lesson are kept all the same
 copy="$folder/state/jointwise/unsaved/mine.toml"
 await 60 "the copy of what was tried" test -s "$copy"
 kill -9 "$pid"
@@ -48,7 +48,7 @@ pid=
 "$program" check "$copy" >/dev/null 2>&1 || fail "the copy of what was tried is no lesson"
 "$program" step "$copy" --until 0 >/dev/null || fail "the copy of what was tried cannot be told"
 
-# closed: it is said where it is
+# closed: a message says where the copy is
 open_program "four-bar" --try "take out motor"
 await 60 "the experiment" title_has "(changed)"
 close_program

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What the tests of the real window share: a display of their own, the program in it, and waiting. Sourced after
+# Parts that the tests of the real window share: a display of their own, the program in it, and waiting. Sourced after
 # 'name', 'program' and 'lesson' are set; needs Xvfb and xdotool, no window manager.
 
 # ends before ctest would kill it, and cleans up then
@@ -63,7 +63,7 @@ open_program() {
     xdotool windowfocus --sync "$window"
 }
 
-# close_program: by its key, within ten seconds; its exit status is 'status'
+# close_program: closes it by its key, within ten seconds; its exit status is 'status'
 close_program() {
     xdotool key ctrl+q
     for ((k = 0; k < 200; ++k)); do

@@ -9,7 +9,7 @@ lesson=$2
 
 . "$(dirname "${BASH_SOURCE[0]}")/window.sh"
 
-# without a display it says what to do instead
+# without a display the program says what to do instead
 status=0
 message=$(env -u DISPLAY "$program" open "$lesson" 2>&1) || status=$?
 [ "$status" -eq 2 ] || fail "without a display the exit status is $status, not 2: $message"
@@ -18,7 +18,7 @@ for word in render step; do
 done
 
 has_size() { [ "$(xdotool getwindowgeometry --shell "$window" | sed -nE 's/^(WIDTH|HEIGHT)=//p' | paste -sd x)" = "$1" ]; }
-# picture NAME WIDTHxHEIGHT: p saves the step that is shown under its number
+# picture NAME WIDTHxHEIGHT: the key p saves the step that is shown under its number
 picture() {
     local file="$folder/$1"
     xdotool key p
@@ -57,7 +57,7 @@ await 60 "undo" title_lacks "(changed)"
 sed -i 's/^title = .*/title = "Saved anew"/' "$folder/mine.toml"
 await 60 "the new title" title_has "Saved anew"
 sed -i 's/^title = .*/title = 7/' "$folder/mine.toml"
-sleep 0.7 # longer than the program looks away
+sleep 0.7 # longer than the program waits before it looks at the file again
 title_has "Saved anew" || fail "the last good lesson does not stay"
 sed -i 's/^title = .*/title = "Repaired"/' "$folder/mine.toml"
 await 60 "the repaired title" title_has "Repaired"

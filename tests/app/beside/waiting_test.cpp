@@ -6,12 +6,12 @@
 
 #include "app/session/background/background.hpp"
 
-// With worker_waiting.cpp in place of threads, as in a page.
+// Tests with worker_waiting.cpp, which replaces threads in a page.
 
 namespace jw {
 namespace {
 
-/// Work of so many pieces, which tells when each was done.
+/// Work of so many pieces, which adds a line to `done` at each.
 Background<int>::Piece counting(int pieces, const std::string& name, std::vector<std::string>& done) {
     return [pieces, name, &done,
             count = std::make_shared<int>(0)](const std::stop_token&) -> std::optional<int> {
@@ -27,7 +27,7 @@ TEST_CASE("Without threads nothing is done until the page has time, then piece b
     CHECK(done.empty());
     for (const char* const next : {"a1", "a2", "a3"}) {
         CHECK_FALSE(work.is_done());
-        // no time but for one piece
+        // without any time one piece is done
         CHECK(run_waiting_work(0.0));
         CHECK(done.back() == next);
     }

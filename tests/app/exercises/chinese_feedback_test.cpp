@@ -13,7 +13,7 @@
 #include "tests/app/messages/english_in.hpp"
 #include "tests/app/messages/in_language.hpp"
 
-/// In Chinese nothing English is said of an answer, and nothing English stands on a sheet.
+/// In Chinese, neither the feedback on an answer nor a sheet contains English.
 namespace jw {
 
 namespace {
@@ -37,7 +37,7 @@ std::vector<Exercise> exercises_in_chinese() {
     return chosen;
 }
 
-/// Words of all that is said of an answer, without what is code.
+/// Title and feedback of an answer in one text, without code.
 std::string said_of(const Task& task, const Handed& handed) {
     const Judged judged = kind_of(task.exercise().kind).judge(task, handed);
     std::string all = judged.title;
@@ -83,7 +83,7 @@ TEST_CASE("No English sentence is said of an answer in Chinese", "[exercises][me
         for (HandedMistake& mistake : kind_of(exercise.kind).mistakes(task)) {
             answers.push_back(std::move(mistake.handed));
         }
-        // what cannot be read in a file is told by the reader of lessons, whose diagnostics are English
+        // faults in a file are reported by the reader of lessons, whose diagnostics are English
         const bool of_files = exercise.kind == ExerciseKind::repair || exercise.kind == ExerciseKind::build;
         const std::string not_found = tr("The file does not contain what the exercise asks for: {0}.", "");
         for (const Handed& handed : answers) {

@@ -11,7 +11,7 @@ TEST_CASE("The error of a program is named, not the place that its language writ
         result.err = err;
         return program_fault(result, {});
     };
-    // as Octave, JavaScript, Python and a program in C++ end
+    // error output of Octave, JavaScript, Python and a program in C++
     CHECK(
         named("error: 'f' undefined\nerror: called from\n    answer at line 5 column 7\n") ==
         "The program ended with status 1: error: 'f' undefined");

@@ -203,7 +203,7 @@ TEST_CASE("A kept result ends with any part of the exercise that it depends on",
     CHECK(ready_course("quite a secret", sorted).digest != before);
 }
 
-TEST_CASE("Nobody becomes several students, takes a place or hands in a link", "[exercises][grade]") {
+TEST_CASE("A submission has one name, its own, and is not a link", "[exercises][grade]") {
     const Class c;
     c.hand_in("s1", c.right("s1"));
     c.hand_in("s2", c.right("s2"));
@@ -280,7 +280,7 @@ TEST_CASE("A part of a work that crashes, hangs or eats memory is lost alone", "
         if (piece == 1 && part == 3) { return std::string(static_cast<std::size_t>(3) << 30U, 'x'); }
         if (piece == 1 && part == 4) { throw 1; }
         if (piece == 1 && part == 5) { return std::string(static_cast<std::size_t>(5) << 20U, 'x'); }
-        // longer together than one part may take
+        // all parts together take longer than one part may take
         usleep(400000);
         return "part " + std::to_string(part);
     };

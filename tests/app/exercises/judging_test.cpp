@@ -17,7 +17,7 @@ using namespace jw;
 
 namespace {
 
-/// A shipped exercise; it and its tasks live as long as this.
+/// A shipped exercise, which lives with its tasks as long as this object.
 struct Shipped {
     Shipped(const std::string& file, const std::string& name)
         : read(read_exercise_file(std::filesystem::path(JW_EXERCISES_FOLDER) / file)),
@@ -35,7 +35,7 @@ std::string with_last_number(const std::string& output, const std::string& word)
     return output.substr(0, begin) + word + output.substr(end);
 }
 
-/// An output with so many answers: cut, or the last one repeated.
+/// An output with `count` answers: cut, or with the last one repeated.
 std::string with_answers(const std::string& output, std::size_t count) {
     nlohmann::json json = nlohmann::json::parse(output);
     nlohmann::json& answers = json["answers"];
@@ -116,7 +116,7 @@ TEST_CASE("Too few or too many answers cost a program only the states without on
 TEST_CASE("A known mistake is named although answers are missing, if a random state has one", "[exercises]") {
     const Shipped shipped("jacobians.toml", "n1-row-code");
     const HandedMistake mistake = mistaken_outputs(shipped.task).front();
-    // the first four cases are special: there mistakes may agree
+    // the first four cases are special: different mistakes may have the same answers there
     CHECK(judge_output(shipped.task, {with_answers(mistake.handed.text, 3), {}}).mistake.empty());
     for (const std::size_t count : {5U, 23U, 25U}) {
         CAPTURE(count);
@@ -146,14 +146,14 @@ TEST_CASE("A mistake much larger than the right answer is named from as many dig
         CHECK(judge_value(task, {text, {}}).title == "known");
     }
     CHECK(judge_value(task, {"300.1", {}}).mistake == std::to_string(300.1));
-    // as far from one as from the other
+    // not clearly nearest to one of the mistakes
     for (const char* text : {"-190", "300.05", "2.4"}) {
         CAPTURE(text);
         CHECK(judge_value(task, {text, {}}).mistake.empty());
     }
 }
 
-TEST_CASE("Words within strings and half an output are no numbers", "[exercises]") {
+TEST_CASE("Text in strings and truncated output are not read as numbers", "[exercises]") {
     CHECK(
         read_program_output(R"({"nan \" inf": "NaN", "answers": [1, [NaN, 2], "nan", {}, [[1], 2]]})")
             .answers.size() == 5);
@@ -283,7 +283,7 @@ TEST_CASE(
     CHECK(judged.share < 0.5);
 }
 
-TEST_CASE("What holds already in a sick lesson earns nothing", "[exercises]") {
+TEST_CASE("Claims that already hold in the faulty lesson earn no points", "[exercises]") {
     const ExercisesRead read = read_exercise_file(std::filesystem::path(JW_EXERCISES_FOLDER) / "clinic.toml");
     int repairs = 0;
     for (const Exercise& exercise : read.exercises) {

@@ -10,8 +10,8 @@
 #include "app/exercises/task.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 
-// Answers of exercises by formulas that are written here once more, from the values that a sheet tells: none
-// is that of the exercise file.
+// Answers of exercises from the values on a sheet, by formulas that are written here independently: none is a
+// formula of the exercise file.
 
 using namespace jw;
 
@@ -26,7 +26,7 @@ Vec3 vector_of(const Given& given, std::size_t k) { return {given[k](0), given[k
 
 Mat3 turned(double angle, const Vec3& axis) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
 
-/// Turned by small angles about its axes, the rocker changes dᵀd.
+/// Change of dᵀd as the rocker turns by small angles about its axes.
 MatrixX row_of_a_rod(const Given& given) {
     constexpr double kSmall = 1e-6;
     const Vec3 d = vector_of(given, 0);
@@ -50,7 +50,7 @@ MatrixX chain_turns(const Given& given) {
            number_of(given, 4) * second.col(2);
 }
 
-/// Found in the global frame and brought into that of the plate.
+/// Torque of a spring, computed in the global frame and transformed into that of the plate.
 MatrixX spring_torque(const Given& given) {
     const Mat3 A = given[3];
     const Vec3 d = vector_of(given, 4);
@@ -190,7 +190,7 @@ TEST_CASE("Answers are those of formulas that are written once more", "[exercise
             REQUIRE(task.problem.empty());
             Given given;
             for (const GivenSymbol& symbol : task.asked.given) { given.push_back(symbol.value); }
-            // a thousandth of what a student may be off; differences have eight digits
+            // a thousandth of the student's tolerance; finite differences have eight digits
             CHECK(
                 difference_from(task.asked.right, own.answer(given), task.asked) <=
                 1e-3 * task.asked.tolerance);

@@ -10,8 +10,8 @@
 #include "app/session/claims/claim_poses.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 
-// Counts of equations that are written here once more: Grübler's by hand, the rank by differences of what
-// joints keep and the singular values of those. The equations of the program have no part in it.
+// Independent counts of equations: Grübler's by hand, the rank from the singular values of finite differences
+// of what joints keep constant. The equations of the program are not used.
 
 using namespace jw;
 
@@ -32,7 +32,7 @@ int equations_by_hand(const std::string_view type) {
     throw std::invalid_argument("no equations are known of " + std::string(type));
 }
 
-/// What a joint keeps, with more numbers than equations where that is simpler: the rank is the same.
+/// Values that a joint keeps constant, more than its equations where that is simpler: the rank is the same.
 std::vector<double> kept_by(const Joint& joint, const Placed& i, const Placed& j) {
     const std::string_view type = joint.type->name;
     const JointGeometry& g = joint.geometry;
@@ -77,7 +77,7 @@ VectorX kept_by_all(const Mechanism& mechanism, const std::vector<Placed>& at, b
     return Eigen::Map<const VectorX>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
-/// Each moving body shifted along and turned about the three axes a little.
+/// Finite differences for small shifts of each moving body along the axes and small turns about them.
 MatrixX differences(const Mechanism& mechanism, const State& state, bool driven) {
     constexpr double kSmall = 1e-5;
     std::vector<Placed> at;
@@ -108,7 +108,7 @@ int rank_by_singular_values(const MatrixX& m) {
     const double largest = values(0);
     int rank = 0;
     for (const double value : values) {
-        // nothing between what is there and what differences leave of nothing
+        // no singular value may lie between independent rows and the errors of finite differences
         const bool is_clear = value > 1e-3 * largest || value < 1e-7 * largest;
         CAPTURE(values.transpose());
         REQUIRE(is_clear);

@@ -100,7 +100,7 @@ TEST_CASE("Progress survives a restart, and every variant counts once", "[practi
     practice.offer(numbers);
     begin(practice, 0);
     CHECK(practice.record() == ExerciseRecord{.tried = 2, .solved = 1, .streak = 1, .variant = 1});
-    // who comes back gets other numbers
+    // a student who comes back gets other numbers
     CHECK(kind_of(ExerciseKind::vector).right(*practice.task()).text != first);
     CHECK(practice.take_notice().empty());
 }

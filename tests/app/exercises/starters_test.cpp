@@ -49,7 +49,7 @@ std::string filled_in(const std::string& starter, const std::string& ending) {
     return starter.substr(0, line) + kBodies.at(ending) + starter.substr(starter.find('\n', at + 1) + 1);
 }
 
-/// Says it where a language is not tested here.
+/// True if programs with this ending can run here; warns if they cannot.
 bool can_run(const std::string& ending) {
     const exercises::SandboxAvailability& sandbox = exercises::sandbox_availability();
     const std::string why =

@@ -25,8 +25,8 @@ Judged judged_numbers(const Task& task, const MatrixX& value) {
     return judge_value(task, {written(value), {}});
 }
 
-/// Answers of two mistakes in terms get the words of both, those of a single mistake that leads to the same,
-/// or none.
+/// Number of answers with two wrong terms that get the words of both mistakes; others get those of a single
+/// mistake that leads to the same answer, or none.
 int named_pairs(const Task& task) {
     constexpr std::size_t kTried = 6;
     const std::vector<KnownMistake> pairs = mistakes_in_two_terms(task.variant);
@@ -97,6 +97,6 @@ TEST_CASE("A missing term and a wrong sign are both named", "[exercises]") {
     CHECK(judged.mistake == "two-terms");
     CHECK(judged.title == "two terms are wrong");
     CHECK(judged.feedback.front() == tr(two->says));
-    // an answer that nothing leads to has no name
+    // an answer that no known mistake leads to has no name
     CHECK(judged_numbers(task, two->answer + 0.37 * task.asked.right).mistake.empty());
 }

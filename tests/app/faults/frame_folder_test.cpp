@@ -26,7 +26,7 @@ std::set<std::string> named_by_manifest(const std::string& folder) {
     return names;
 }
 
-/// Pictures `first` to `last`, of which `drawn` come before the run ends; all of them: the run is finished.
+/// Writes the first `drawn` of the pictures `first` to `last`, and finishes the run if these are all.
 void write_run(const std::string& folder, int first, int last, int drawn) {
     host::FrameFiles files(folder, first, last);
     const View view;
@@ -34,7 +34,7 @@ void write_run(const std::string& folder, int first, int last, int drawn) {
     if (drawn == last - first + 1) { files.finish({{"format", "jointwise render"}}); }
 }
 
-/// Frames that a folder has and no list of it names.
+/// Files in a folder that its manifest does not name.
 std::set<std::string> strays_in(const std::string& folder) {
     std::set<std::string> strays;
     const std::set<std::string> named = named_by_manifest(folder);
@@ -144,7 +144,7 @@ TEST_CASE("What an interrupted run left is taken away by the next one") {
     std::filesystem::create_directory(folder.path("unfinished-frames"));
     folder.file("unfinished-frames/frame_00007.png", "");
     folder.file("unfinished-frames/frame_00008.png.part-12", "");
-    // killed while places were taken
+    // killed while pictures were moved to their places
     std::filesystem::rename(folder.path("manifest.json"), folder.path("unfinished.json"));
     write_run(folder.path(), 5, 5, 1);
     CHECK(files_in(folder.path()) == std::set<std::string>{"frame_00005.png", "manifest.json"});

@@ -49,7 +49,7 @@ TEST_CASE("Whatever ends with status 3 says so on standard error", "[app][comman
         CHECK(ran.err.size() > 20);
         CHECK(ran.err.ends_with('\n'));
     }
-    // a part that can be told is
+    // the part of the story before the failure is told
     const Ran part = run({"step", file, "--until", "1"});
     CHECK(part.status == 0);
     CHECK(part.err.empty());

@@ -154,9 +154,9 @@ TEST_CASE("No command line, however wrong, is answered with a name of a library,
             arguments.push_back(any(options));
             if (random() % 5 != 0) { arguments.push_back(any(values)); }
         }
-        // what is right takes its time, and is tested elsewhere
+        // correct command lines take long, and are tested elsewhere
         if (arguments[0] == "bench" || arguments[0] == "render") { arguments.emplace_back("--samples=x"); }
-        // all lessons of the machine
+        // these folders would have all lessons of the machine
         if (arguments[0] == "check" || arguments[0] == "list") {
             std::erase_if(arguments, [](const std::string& a) { return a == "/" || a == ".."; });
         }

@@ -33,7 +33,7 @@ TEST_CASE("On its way a body turns evenly, the shorter way round, and its point 
         const double s = share(random);
         const State between = pose_between(from, to, s);
         CHECK(std::abs(between.p[0].norm() - 1.0) < 1e-12);
-        // arc cosines of two matrices, each of 1e-16: 1e-8 near 0 and π
+        // arc cosines of two matrices, each with errors of 1e-16: 1e-8 near 0 and π
         const double whole = turn_between(from.p[0], to.p[0]);
         CHECK(std::abs(turn_between(from.p[0], between.p[0]) - s * whole) < 1e-7);
         CHECK(std::abs(turn_between(between.p[0], to.p[0]) - (1.0 - s) * whole) < 1e-7);

@@ -55,7 +55,7 @@ TEST_CASE("An equal run goes on with what is there, another one is told what dif
         CHECK(again.has(3));
         CHECK_FALSE(again.has(2));
     }
-    // begun anew there is nothing
+    // a run that begins again has no pictures
     FrameDraft anew(path);
     anew.begin(kOther);
     CHECK_FALSE(anew.has(3));

@@ -110,7 +110,7 @@ TEST_CASE(
         const bool is_equal = std::equal(&picture.rgb[3 * n], &picture.rgb[3 * n] + 3, &usual.rgb[3 * n]);
         equal += picture.alpha[n] == 255 && is_equal ? 1 : 0;
     }
-    // all but what is seen through the ends of lines, which mixes with what is behind
+    // all but the ends of lines, which are blended with what is behind them
     CHECK(equal > 0.99 * static_cast<double>(std::ranges::count(picture.alpha, 255)));
     // smooth edges
     CHECK(std::ranges::count_if(picture.alpha, [](int alpha) { return alpha > 0 && alpha < 255; }) > 100);
@@ -129,7 +129,7 @@ TEST_CASE("The stages of a picture are parts of the loop that is measured from e
     }
     CHECK(scene["stages_s"].size() == 7);
     CHECK(scene["all_s"].get<double>() == Approx(sum));
-    // two clocks: what is between the stages is left over, never less than nothing
+    // two clocks: the loop also has the time between the stages, which is never negative
     CHECK(scene["loop_s"].get<double>() >= sum * (1.0 - 1e-9));
     // a second of motion at 30 a second, and its end
     CHECK(scene["pictures"] == 31);

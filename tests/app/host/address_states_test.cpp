@@ -30,7 +30,7 @@ std::string seen_of(const Session& session) {
     return lesson_text(session.lesson()) + text_of(session.view()) + values_of(session.picture());
 }
 
-/// A window that knows the same lessons, and nothing else.
+/// Setup of a window that knows the same lessons, and nothing else.
 host::HostSetup setup_with(const std::filesystem::path& recent) {
     host::HostSetup setup;
     setup.catalogue = catalogue_folder();
@@ -39,7 +39,7 @@ host::HostSetup setup_with(const std::filesystem::path& recent) {
     return setup;
 }
 
-/// The lesson as its file is now: what an address begins with.
+/// True if the lesson is as its file is now, from which an address begins.
 bool is_as_file(const Session& session, const std::filesystem::path& file) {
     const ReadResult read = read_lesson_file(file);
     return read.lesson && lesson_text(shown_lesson(*read.lesson)) == lesson_text(session.as_written());
@@ -96,7 +96,7 @@ TEST_CASE(
         }
     }
     set_language("en");
-    // where nothing was done there is nothing to be found again
+    // with few changes there would be little to find again
     CHECK(followed.addresses > 15);
     CHECK(followed.with_camera > 3);
     CHECK(followed.elsewhere > 8);

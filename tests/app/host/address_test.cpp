@@ -28,7 +28,7 @@ std::string problem_of(const std::string& text) {
     return {};
 }
 
-/// One of each part, with characters that need care.
+/// Addresses that together have every part, with characters that need care.
 std::vector<Address> different_addresses() {
     std::vector<Address> all{Address{}, four_bar(), four_bar("12"), four_bar("t=0.5"), four_bar("my pin/2")};
     all.push_back(four_bar("D"));
@@ -192,7 +192,7 @@ TEST_CASE("Whatever is read of 100000 damaged addresses is written and read the 
         if (read_address(again) != address) { FAIL_CHECK(text << " -> " << again); }
         if (fragment_of(read_address(again)) != again) { FAIL_CHECK(text << " -> " << again); }
     }
-    // where everything is refused, nothing is asked
+    // if most addresses were refused, hardly anything would be checked
     CHECK(read > 10000);
 }
 

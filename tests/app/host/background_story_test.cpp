@@ -19,9 +19,9 @@ namespace {
 using host::Command;
 using host::Key;
 
-// told in a blink, but not at once
+// told soon, but not at once
 constexpr int kLong = 170;
-// so long that it is not told before anybody has lost patience; what is given up costs nothing
+// so long that no test can wait for its end; a story that is given up costs nothing
 constexpr int kEndless = 499;
 
 /// A row of rods as a lesson file.
@@ -44,10 +44,10 @@ std::string shown_by(const Session& session) {
     return text;
 }
 
-/// The same without a window, told at once.
+/// Session of the lesson without a window, told at once.
 Session read_at_once(const std::filesystem::path& path) { return Session(*read_lesson_file(path).lesson); }
 
-/// Does what needs a story, and waits for it. @return number of stories that were told beside the pictures
+/// Calls `act`, which needs a story, and waits for it. @return number of stories told in the background
 int stories_told(Person& person, const std::function<void()>& act) {
     const int before = person.host().stories_begun_in_background();
     act();
@@ -199,7 +199,7 @@ TEST_CASE("A slider on a long lesson goes where the pointer is, even if it is le
         quick.drag(x, y, x + 30.0F, y);
     }
     REQUIRE(tried(quick).starts_with("geometry"));
-    // each value is normalised, so that the last one depends on those before: what a click makes is not it
+    // each value is normalised, so that the last one depends on those before: it is not that of a click
     const auto slow = [&](float way) {
         Person person("");
         opened(person, kLong);

@@ -36,7 +36,7 @@ void compare(const Lesson& a, const Lesson& b, Seen& seen) {
     }
 }
 
-/// Does something, and looks whether everything is still sound.
+/// Calls `act`, and checks whether everything is still sound.
 template <class Do>
 void attempt(Person& person, Seen& seen, const std::string& what, const Do& act) {
     const Lesson before = person.session().lesson();
@@ -49,7 +49,7 @@ void attempt(Person& person, Seen& seen, const std::string& what, const Do& act)
     REQUIRE(fault == "");
     compare(before, person.session().lesson(), seen);
     if (index != person.session().index()) { seen.insert("step"); }
-    // what moves by itself would move what is looked for next
+    // anything that moves by itself would move the widgets that are looked for next
     if (person.host().state().playback.freedom() >= 0) {
         seen.insert("freedom");
         person.ask(Command::let_go);
@@ -71,7 +71,7 @@ void attempt(Person& person, Seen& seen, const std::string& what, const Do& act)
 
 std::string place(const Widget& w) { return std::to_string(w.x) + ", " + std::to_string(w.y); }
 
-/// Clicks what a list offers, entry by entry; it is opened anew for each.
+/// Clicks what a list offers, entry by entry; it is opened again for each.
 void click_list(Person& person, Seen& seen, const Widget& opener, panels::Box list) {
     seen.insert("list");
     for (const Widget& entry : widgets_in(person, list)) {
@@ -83,7 +83,7 @@ void click_list(Person& person, Seen& seen, const Widget& opener, panels::Box li
     person.click(5.0F, 5.0F);
 }
 
-/// A short one: every move tells the lesson anew.
+/// A short drag, because every move tells the lesson again.
 void drag(Person& person, const Widget& w) {
     host::Host& host = person.host();
     host.push(host::InputEvent::pointer(w.x, w.y));
@@ -100,7 +100,7 @@ void use(Person& person, Seen& seen, const Widget& w, bool thorough) {
     if (opened && thorough) { return click_list(person, seen, w, list); }
     if (opened) { person.click(5.0F, 5.0F); }
     if (!thorough) { return; }
-    // sliders, the sphere, the plot; a button does not mind
+    // for sliders, the sphere and the plot; a drag does no harm to a button
     attempt(person, seen, "drag from " + place(w), [&] { drag(person, w); });
 }
 
@@ -114,13 +114,13 @@ void use_all(Person& person, Seen& seen, const panels::Box& box, const char* win
         for (const Widget& w : widgets_in(person, box)) {
             if (!used.insert(w.id).second) { continue; }
             use(person, seen, w, thorough);
-            // another one is tried on the lesson as it was, and not on a heap of changes
+            // the next widget is tried on the lesson as it was, not after many changes
             if (person.session().is_changed()) { person.ask(Command::start_over); }
         }
     }
 }
 
-/// The line that says what was changed last is there from now on: nothing moves while it is looked for.
+/// Makes the line about the last change appear: then widgets do not move while they are looked for.
 void change_something(Person& person) {
     person.host().set_picker([](float, float) { return picture_id(Pointable::body(1)); });
     person.drag(300.0F, 300.0F, 320.0F, 310.0F);
@@ -128,8 +128,8 @@ void change_something(Person& person) {
     person.ask(Command::start_over);
 }
 
-/// What decides which widgets a lesson has. What other lessons have beside each other is left to the person
-/// who clicks at random.
+/// Properties that decide which widgets a lesson has. Other combinations of them are left to the person who
+/// clicks at random.
 using Widgets = std::set<std::string>;
 Widgets widgets_of(const std::filesystem::path& file) {
     Widgets kinds;
@@ -152,7 +152,7 @@ Seen try_all(const std::filesystem::path& lesson, bool thorough) {
     const panels::Box column = person.host().layout().column;
     person.type("2");
     use_all(person, seen, column, "try", thorough);
-    // these differ from lesson to lesson in what they draw only
+    // these tabs differ between lessons only in what they draw
     for (const char* const tab : {"1", "3", "4"}) {
         person.type(tab);
         if (thorough) { use_all(person, seen, column, nullptr, true); }

@@ -58,7 +58,7 @@ void prepare(Person& person, Command command) {
     if (command != Command::let_go) { person.rest(); }
 }
 
-/// A body lies wherever somebody pulls.
+/// A person in a window where a body can be pulled at every place.
 std::unique_ptr<Person> somebody_at(const char* lesson) {
     auto person = std::make_unique<Person>(lesson);
     const int body = static_cast<int>(person->session().lesson().mechanism.bodies.size()) - 1;

@@ -19,9 +19,9 @@ using host::GuardedScreen;
 /// A driver that fails when it is told to: the real one, with some functions replaced.
 struct Driver {
     static inline render::GlFunctions real;
-    static inline int errors = 0;       ///< complaints to come, one for each question
-    static inline bool always = false;  ///< one more with every panel that is drawn
-    static inline int bad_targets = 0;  ///< framebuffers that will not be complete
+    static inline int errors = 0;       ///< errors still to be reported, one for each call
+    static inline bool always = false;  ///< report an error after every draw call
+    static inline int bad_targets = 0;  ///< framebuffers still to be reported as incomplete
 
     static GLenum get_error() {
         const GLenum error = real.GetError();
@@ -53,7 +53,7 @@ struct Driver {
     render::GlFunctions table;
 };
 
-/// A window without a window: a host that is drawn by a driver that can fail.
+/// A host without a window, drawn by a driver that can fail.
 struct Window {
     Window() : driver(surface.gl()), host(setup()), screen((surface.begin_3d(), driver.table), host, log) {
         REQUIRE(host.open(lesson));
@@ -98,7 +98,7 @@ TEST_CASE("Whatever is pressed after larger or smaller text, OpenGL has nothing 
     const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint32_t>(n)); };
     Person person("joints/revolute.toml", Person::Pictures::drawn, 640, 400);
     person.host().resize(640, 400);
-    // what makes framebuffers or textures anew: play and rest, another size, the list of lessons
+    // events that make new framebuffers or textures: play and rest, another size, the list of lessons
     constexpr std::string_view keys = "++--++-- ggdnbm0f23451u";
     constexpr int sizes[][2]{{640, 400}, {800, 500}, {900, 420}};
     std::string done;

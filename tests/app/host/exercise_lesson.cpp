@@ -63,7 +63,7 @@ std::string table_of(const std::filesystem::path& folder, const Chosen& chosen) 
     replace_all(table, "scene = \"scenes/", "scene = \"" + (folder / "scenes").string() + "/");
     replace_all(
         table, "name = \"" + std::string(chosen.name) + "\"", "name = \"" + std::string(chosen.kind) + "\"");
-    // within a lesson an exercise belongs to it
+    // an exercise within a lesson belongs to that lesson
     const std::size_t key = table.find("\nlesson = ");
     if (key != std::string::npos) { table.erase(key, table.find('\n', key + 1) - key); }
     return table + "\n";

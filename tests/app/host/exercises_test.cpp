@@ -36,7 +36,7 @@ struct Student {
         person.settle();
     }
     const Practice& practice() { return person.host().exercises().practice(); }
-    /// With the keyboard alone.
+    /// Opens an exercise with the keyboard alone.
     void begin(const std::string& name) {
         const auto& all = practice().exercises();
         const auto found = std::ranges::find(all, name, [](const auto& e) { return e.exercise->name; });
@@ -63,7 +63,7 @@ struct Student {
     Person person;
 };
 
-/// The beginning of a text: lines break somewhere behind it.
+/// Beginning of a text, so short that no line breaks within it.
 std::string first_words(const std::string& text) { return text.substr(0, 20); }
 
 }  // namespace
@@ -90,7 +90,7 @@ TEST_CASE("What numbers begin with begins the answer, and the number of a choice
         CAPTURE(name);
         student.begin(name);
         const std::string right = student.right();
-        // in place of what was answered before
+        // a wrong answer first, which the right one replaces
         if (std::string_view(name) != "choose") { student.answer("[99, 99]"); }
         student.person.type(right);
         if (std::string_view(name) != "choose") { student.person.press(Key::enter); }
@@ -102,7 +102,7 @@ TEST_CASE("What numbers begin with begins the answer, and the number of a choice
         CHECK(student.person.host().state().text_scale == 1.0F);
         student.person.press(Key::escape);
     }
-    // what is not finished goes on
+    // an unfinished answer can be continued
     for (const char* const name : {"vector", "pose"}) {
         CAPTURE(name);
         student.begin(name);
@@ -125,7 +125,7 @@ TEST_CASE("What numbers begin with begins the answer, and the number of a choice
     student.person.press(Key::z, true);
     CHECK(student.person.host().exercise_text().find("In the field: [1, 2, 3]\n") != std::string::npos);
     student.person.press(Key::escape);
-    // where no numbers are asked for they are commands, as everywhere
+    // where no numbers are asked for, digits are commands, as everywhere
     for (const char* const name : {"repair", "experiment"}) {
         CAPTURE(name);
         student.begin(name);
@@ -159,7 +159,7 @@ TEST_CASE(
         CHECK(tells("Your answer"));
         CHECK(tells(first_words(host::how_to_answer(task))));
         for (const std::string& choice : task.shown) { CHECK(tells(first_words(math::plain_words(choice)))); }
-        // what is asked of a figure must not be read off the lesson beside it
+        // the answer to a question about a figure must not be visible in the lesson beside it
         CHECK(tells(student.person.view().title) != (student.person.host().exercises().figure() != nullptr));
         student.person.ask(Command::exercise_hint);
         CHECK(tells("Hint 1") == !task.exercise().hints.empty());
@@ -217,7 +217,7 @@ TEST_CASE("What is said of an answer comes into sight, however large the letters
         const ImGuiWindow* const column = ImGui::FindWindowByName("exercises");
         REQUIRE(column != nullptr);
         CHECK(column->Scroll.y > 0.0F);
-        // other numbers are read from their beginning
+        // with other numbers the column is at its top again
         student.person.ask(Command::exercise_anew);
         student.wait();
         student.person.rest();

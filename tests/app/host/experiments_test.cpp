@@ -25,7 +25,7 @@ int joint_of(const Person& person, const std::string& name) {
     return -1;
 }
 
-/// Goes to the step at which a joint or driver is put together.
+/// Goes to the step at which a joint or driver is assembled.
 void go_to_closed(Person& person, const std::string& name) {
     const auto step = step_at(person.session().story(), name);
     REQUIRE(step);
@@ -71,7 +71,7 @@ TEST_CASE("A pair forced where the axis has no component loses rank, the rule's 
     Person person(kFourBar);
     go_to_closed(person, "A");
     const RankView before = person.view().rank;
-    // the axis is y: without x or z the pair says one thing twice at best
+    // the axis is y: without x or z at most one equation of the pair is independent
     choose_form(person, 0, "without x");
     const bool lost = !person.view().failure.empty() || person.view().rank.rank < before.rank;
     CHECK(lost);
@@ -146,7 +146,7 @@ TEST_CASE(
     CHECK(removable_rows(person.session().rank()).empty());
     const int dof = person.view().rank.dof;
     const int joint = joint_of(person, "B");
-    // s of B, x: the links would come apart in the plane
+    // x of the spherical part of B: without it the links come apart in the plane
     use(person, {"joint", joint, "B   revolute"});
     use(person, {"joint of try it", joint, static_cast<int>(Role::same_point), "x"});
     CHECK(person.view().rank.dof == dof + 1);

@@ -31,7 +31,7 @@ TEST_CASE("What is done in the window stands in its address", "[address]") {
     CHECK(address_of(person) == "four-bar/5?tab=plots");
     person.ask(Command::tab_step);
     person.ask(Command::view_top);
-    // where it is turning to, from the beginning
+    // the address has the view that the camera turns to, from the beginning
     const std::string turned = address_of(person);
     CHECK(turned.starts_with("four-bar/5?camera="));
     person.rest();
@@ -55,7 +55,7 @@ TEST_CASE("An address in the open lesson is one change, and undo leads back", "[
     CHECK_FALSE(person.session().is_changed());
     person.ask(Command::redo);
     CHECK(person.session().index() == there);
-    // to go elsewhere in the same lesson is no change at all
+    // going elsewhere in the same lesson is not a change
     const std::uint64_t told = person.session().told();
     REQUIRE(go_to(person, "#four-bar?try=form+D+drop+x&try=take+out+motor"));
     CHECK(person.session().told() == told);
@@ -149,7 +149,7 @@ TEST_CASE("An exercise stands in the address, which begins it in another window"
     REQUIRE(person.host().begin_exercise(name));
     const std::string address = address_of(person);
     CHECK(address == "four-bar?exercise=" + name);
-    // the numbers stay where the address says what is there already
+    // the numbers stay if the address is that of what is already shown
     const int made = person.host().exercises().practice().tasks_made();
     REQUIRE(go_to(person, address));
     CHECK(person.host().exercises().practice().tasks_made() == made);

@@ -103,7 +103,7 @@ TEST_CASE("A click on a joint chooses whose vectors and equations are seen while
     CHECK(person.view().equations.front().joint == 2);
     person.click(x, y);
     CHECK(person.view().equations.empty());
-    // what is dragged is no click
+    // a drag is not a click
     person.drag(x, y, x + 1.0F, y + 40.0F);
     CHECK(person.view().equations.empty());
 }

@@ -12,7 +12,7 @@ namespace jw::test {
 namespace {
 
 struct Kept {
-    ~Kept() { atlas.Locked = false; }  // where a frame ended in the middle
+    ~Kept() { atlas.Locked = false; }  // in case a frame ended in the middle
 
     ImFontAtlas atlas;
     render::Fonts fonts;

@@ -4,10 +4,10 @@
 
 #include "tests/app/host/person.hpp"
 
-/// Looking for what can be pointed at, and at what lights up.
+/// Searches for objects to point at, and reads what is highlighted.
 namespace jw::test {
 
-/// Numbers of what is outlined in the picture.
+/// Ids of the highlighted parts of the picture.
 inline std::set<int> lit_in(const Picture& picture) {
     std::set<int> ids;
     const auto add = [&](const auto& parts) {

@@ -24,7 +24,7 @@ struct Quad {
     ImVec2 uv_low, uv_high;
 };
 
-/// What lies on a pixel.
+/// A letter of the frame, with counts of its pixels.
 struct Letter {
     int layer = 0;  ///< of the draw lists, from the lowest
     Quad quad;
@@ -34,7 +34,7 @@ struct Letter {
     int cut = 0;      ///< pixels outside of the edge
 };
 
-/// 0 for what stands side by side; popups, tips and sheets lie above it and may cover it.
+/// Layer of a draw list: 0 for windows side by side; popups, tips and sheets lie above and may cover them.
 int layer_of(const ImDrawList& list, int number) {
     const std::string name = list._OwnerName == nullptr ? "" : list._OwnerName;
     const bool above = (name.starts_with("##") && name != "##Background") || name.starts_with("keys");
@@ -85,7 +85,7 @@ public:
     }
 
 private:
-    /// Two triangles over one rectangle whose texture is not the white pixel.
+    /// True for two triangles over one rectangle whose texture is not the white pixel.
     bool is_letter(const ImDrawIdx* index, const ImDrawVert* v) const {
         const ImDrawVert& a = v[index[0]];
         const ImDrawVert& c = v[index[2]];
@@ -109,7 +109,7 @@ private:
     void add_letter(const ImDrawIdx* index, const ImDrawVert* v, const ImVec4& clip, int layer) {
         const ImDrawVert& a = v[index[0]];
         const ImDrawVert& c = v[index[2]];
-        // the light around letters over the picture
+        // the light around letters over the picture does not count
         if (alpha_of(a.col) < kSolid) { return; }
         const auto self = static_cast<int>(letters_.size());
         letters_.push_back({layer, {a.pos, c.pos, a.uv, c.uv}});

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60.0;
 constexpr int kMostFrames = 600;
-// a free motion, there and back in three seconds, never rests: as far as it goes both ways, and ends off its
-// pose
+// a free motion goes there and back in three seconds and never rests: these frames cover both ways, and end
+// off its pose
 constexpr double kFreeFrame = 0.1;
 constexpr int kFreeFrames = 25;
 
@@ -21,7 +21,7 @@ constexpr int kFreeFrames = 25;
 
 Person::Person(
     const std::string& lesson, Pictures pictures, int width, int height, bool dark, float text_scale) {
-    set_language("en");  // somebody before may have chosen another one
+    set_language("en");  // an earlier test may have chosen another one
     host::HostSetup setup;
     setup.catalogue = catalogue_folder();
     setup.pictures = folder_.path();

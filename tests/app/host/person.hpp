@@ -30,17 +30,17 @@ public:
     const Session& session() const { return *host_->session(); }
     const View& view() const { return session().view(); }
 
-    /// Frames of a sixtieth of a second: one, until nothing waits but a task, or for a time [s].
+    /// Frames of a sixtieth of a second: one; until nothing but a task waits; or for a time [s].
     void frame();
     void settle();
     void wait(double seconds);
-    /// Waits like a person at a window at rest: one long frame. Messages are gone, cameras have turned.
+    /// Waits like a person at a window at rest: one long frame. Then messages are gone and cameras still.
     void rest();
 
     void press(host::Key key, bool ctrl = false);
-    /// ASCII, a character at a time.
+    /// Types ASCII text, a character at a time.
     void type(std::string_view text);
-    /// One of the catalogue of commands, as somebody at the keyboard asks for it.
+    /// Asks for a command of the catalogue as somebody at the keyboard does.
     void ask(host::Command command);
     void point(float x, float y);
     void click(float x, float y);
@@ -48,7 +48,7 @@ public:
     void wheel(float notches);
     void go_to(int step);
 
-    /// Drawn as it is now.
+    /// Picture of the window as it is now.
     render::Image picture();
 
 private:

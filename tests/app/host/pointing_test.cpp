@@ -50,7 +50,7 @@ void pull(Person& person, int body) {
     person.drag(300.0F, 250.0F, 340.0F, 280.0F);
 }
 
-/// Types an answer; an empty one is what was led by hand, or skips.
+/// Types an answer; an empty one hands in what was moved by hand, or skips the question.
 void hand_in(Person& person, const std::string& text) {
     person.type("a");
     person.type(text);

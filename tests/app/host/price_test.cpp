@@ -32,7 +32,7 @@ TEST_CASE("A lesson of dynamics is measured while the window goes on, until some
     person.ask(Command::tab_price);
     press_button(person, "Measure");
     CHECK(offers(person, "Stop"));
-    // it looks again without an event
+    // the window looks again without an event
     CHECK(person.host().seconds_to_change() < 0.3);
     person.press(host::Key::right);
     CHECK(fault_of(person.host()) == "");

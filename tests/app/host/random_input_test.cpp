@@ -26,7 +26,7 @@ std::string text_of(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Said by the sanitizers as well, which end the program at once.
+/// Printed also when a sanitizer ends the program at once.
 std::string who;
 const RandomPerson* at_work = nullptr;
 [[maybe_unused]] void say_who() {

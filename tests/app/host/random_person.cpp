@@ -16,7 +16,7 @@ constexpr std::size_t kTrail = 20;
 constexpr std::array kSizes{std::array{1280, 720},  std::array{640, 400}, std::array{2560, 1440},
                             std::array{1000, 1300}, std::array{1, 1},     std::array{320, 90},
                             std::array{1920, 1080}};
-// of a number that is typed into a slider, and a few that are none
+// characters of a number that is typed into a slider, and a few that are not
 constexpr std::string_view kTyped = "0123456789.-+eE*/ abAZ(~";
 
 std::string name_of(Key key) { return "key " + std::to_string(static_cast<int>(key)); }
@@ -154,7 +154,7 @@ void RandomPerson::open_something() {
     }
     const auto which = static_cast<std::size_t>(below(static_cast<int>(others_.size())));
     std::ofstream(file_, std::ios::binary) << others_[which];
-    // two writes within the clock's resolution are two all the same
+    // two writes within the clock's resolution must still count as two
     std::filesystem::last_write_time(
         file_, std::filesystem::file_time_type::clock::now() + std::chrono::seconds(events_));
     person_->host().look_at_file();

@@ -10,11 +10,10 @@
 namespace jw::test {
 
 /// Somebody who does anything at all: moves, clicks, types, presses keys, resizes the window, looks
-/// elsewhere, saves the file as another lesson meanwhile. What is there to be clicked is met more often than
-/// chance would.
+/// elsewhere, saves the file as another lesson meanwhile. Widgets are hit more often than by chance.
 class RandomPerson {
 public:
-    /// @param file  the open lesson's file, written anew with the text of `others` now and then
+    /// @param file  the open lesson's file, overwritten with the text of `others` now and then
     RandomPerson(
         Person& person, std::uint32_t seed, std::filesystem::path file, std::vector<std::string> others);
 
@@ -51,8 +50,7 @@ private:
     std::vector<std::string> trail_;
 };
 
-/// Something to point at and pull without a picture: squares of the 3D view belong to bodies, joints,
-/// vectors.
+/// Picker that needs no picture: squares of the 3D view belong to bodies, joints and vectors.
 host::Picker picker_of_squares(const host::Host& host);
 
 }  // namespace jw::test

@@ -26,7 +26,7 @@ std::vector<Widget> widgets_at(Person& person, const panels::Box& column, int no
 int notches_of(Person& person, const char* window);
 void scroll_to(Person& person, const panels::Box& column, int notches);
 
-/// Number of a widget: its window, and what is pushed before its label, as in the code that draws it.
+/// ID of a widget from its window and from what is pushed before its label, as in the code that draws it.
 unsigned id_of(const char* window, std::initializer_list<std::variant<std::string, int>> path);
 
 /// Finds a widget of the column and scrolls it into sight.

@@ -87,7 +87,7 @@ std::string in_chinese(const std::string& name) {
 
 /// All that is wrong with the frame, in one text; empty if everything can be read.
 std::string unreadable(Person& person) {
-    // messages and a camera that turns are gone
+    // afterwards no message is shown and no camera turns
     person.rest();
     std::string text;
     std::size_t told = 0;
@@ -128,7 +128,7 @@ TEST_CASE("Characters that the fonts lack are added between two frames", "[text]
     CHECK(person.host().fonts().version() == before + 1);
     const ImFont& font = *person.host().fonts().fonts().title;
     CHECK(font.FindGlyphNoFallback(static_cast<ImWchar>(U'剛')) != nullptr);
-    // what no font has is a box and no question mark
+    // a character that no font has is drawn as a box, not as a question mark
     CHECK(font.FallbackChar == 0xFFFD);
     CHECK(font.FindGlyphNoFallback(0xFFFD) != nullptr);
 }
@@ -183,7 +183,7 @@ TEST_CASE("Every letter of the list, of the keys and of the menu can be read", "
             panels::Box menu;
             REQUIRE(open_popup(menu) != nullptr);
             CHECK(unreadable(person) == "");
-            // the group of the most commands
+            // the group with the most commands
             person.click(menu.x + 40.0F, menu.y + 0.75F * menu.height);
             CHECK(unreadable(person) == "");
         }
@@ -217,7 +217,7 @@ TEST_CASE(
     const float bar = column.right() - 5.0F;
     person.drag(bar, column.y + 20.0F, bar, column.bottom() - 2.0F);
     CHECK(offset() == most);
-    // the picture has not been turned by it, and no step was left
+    // the drag has not turned the picture, and the step is the same
     CHECK(person.session().index() == equations);
     person.go_to(equations + 1);
     CHECK(offset() == 0.0F);

@@ -28,7 +28,7 @@ int first_step_of(const Person& person, const std::string& name) {
     return -1;
 }
 
-/// A moment after the key: what plays does not come to rest.
+/// Starts the motion and waits only a moment: a motion that plays does not come to rest.
 void play_motion(Person& person) {
     person.host().push(host::InputEvent::typed('M'));
     person.wait(0.05);
@@ -205,7 +205,7 @@ TEST_CASE("A place in a lesson is a number from 1 on, a name, or a moment") {
     CHECK(step_at(story, "1") == 0);
     CHECK(step_at(story, std::to_string(last + 1)) == last);
     CHECK(step_at(story, "B") == first_step_of(person, "B"));
-    // behind its question
+    // the step after its question
     CHECK(step_at(story, "motor") == first_step_of(person, "motor") + 1);
     const auto half = step_at(story, "t=0.5");
     REQUIRE(half);
@@ -241,7 +241,7 @@ TEST_CASE("Buttons of an upright window are as large as a finger, and leave none
             if (seen.empty() || seen.back() != id) {
                 seen.push_back(id);
                 widths.push_back(0.0F);
-                // as high, too
+                // as high as a finger, too
                 person.point(x, y - 0.4F * kFinger);
                 CHECK(ImGui::GetCurrentContext()->HoveredId == id);
                 person.point(x, y + 0.3F * kFinger);

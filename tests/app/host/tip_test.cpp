@@ -7,7 +7,7 @@
 #include "tests/app/host/looking.hpp"
 #include "tests/support/golden.hpp"
 
-/// Symbols of texts: what stands beside the pointer or, by the keyboard, beside the symbol.
+/// Symbols of texts: their tips beside the pointer or, with the keyboard, beside the symbol.
 namespace jw::test {
 namespace {
 
@@ -33,7 +33,7 @@ int go_to_s_i(Person& person) {
     return -1;
 }
 
-/// The part of the pixels that differ at all.
+/// Fraction of the pixels that differ at all.
 double changed(const render::Image& a, const render::Image& b) {
     int pixels = 0;
     for (std::size_t k = 0; k + 2 < a.rgb.size(); k += 3) {

@@ -82,7 +82,7 @@ TEST_CASE("What was tried before another lesson was opened stays, and is offered
     REQUIRE(chapters.size() > 2);
     CHECK(chapters[0] == "Not saved");
     CHECK(chapters[1] == "Recent");
-    // what is being tried just now is not offered to itself
+    // changes that are being tried now are not offered again
     CHECK(
         std::ranges::count(person.host().shelf().entries(), "Not saved", &host::CatalogueEntry::chapter) ==
         1);

@@ -9,8 +9,7 @@
 #include "tests/app/messages/english_in.hpp"
 #include "tests/app/messages/in_language.hpp"
 
-/// In Chinese no English sentence is left in what a step shows, but for names, formulas and the lesson's
-/// texts.
+/// In Chinese a step shows no English sentence, except for names, formulas and the lesson's texts.
 namespace jw {
 
 namespace {
@@ -20,7 +19,7 @@ constexpr std::array kFolders{"vectors",  "parallel", "joints", "orientation", "
                               "analysis", "loops",    "hard",   "screws",      "links"};
 constexpr std::array kSingleLessons{"dynamics/simple-pendulum", "dynamics/block-equation"};
 
-/// The lesson without a word of its author: what is left is the program's.
+/// The lesson without texts of its author: all that are left are the program's.
 Lesson without_texts(Lesson lesson) {
     lesson.title = lesson.source = lesson.text = lesson.summary = "";
     lesson.step_texts.bodies = lesson.step_texts.motion = "";

@@ -5,7 +5,7 @@
 
 namespace jw::test {
 
-/// The first three words of English that stand after each other; empty if none do.
+/// The first three words of English that follow each other; empty if none do.
 inline std::string english_in(const std::string& text) {
     static const std::regex words("[A-Za-z]{2,}[,;:]? [A-Za-z]{2,}[,;:]? [A-Za-z]{2,}");
     std::smatch found;

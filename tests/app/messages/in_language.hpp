@@ -7,7 +7,7 @@
 
 namespace jw::test {
 
-/// The language of all messages while it lives.
+/// Sets the language of all messages for its lifetime.
 class InLanguage {
 public:
     explicit InLanguage(std::string_view tag) : before_(language()) { set_language(tag); }

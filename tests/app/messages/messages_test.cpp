@@ -19,7 +19,7 @@ const std::map<std::string, std::string>& sources() {
     return messages;
 }
 
-/// "{0}", "{1}" of a message, as often as they stand there or once each.
+/// Placeholders of a message, "{0}" and "{1}", once each.
 std::set<std::string> placeholders(std::string_view text) {
     std::set<std::string> found;
     for (std::size_t k = text.find('{'); k != std::string_view::npos; k = text.find('{', k + 1)) {

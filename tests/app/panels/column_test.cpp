@@ -40,7 +40,7 @@ TEST_CASE("blocks keep their order and their distance, and end within the column
     CHECK(arrangement.boxes[2].bottom() == Approx(box.bottom()).margin(1.0));
 }
 
-TEST_CASE("all that fill are good before one is at its best", "[panels][column]") {
+TEST_CASE("all blocks that fill get a good height before one gets its best", "[panels][column]") {
     const Surface surface;
     const Arrangement arrangement = arrange(
         surface.canvas(), {0.0F, 0.0F, 400.0F, 600.0F},

@@ -102,7 +102,7 @@ TEST_CASE(
         CAPTURE(size.width, size.height, looking.density, looking.text, static_cast<int>(kind));
         REQUIRE(apart);
         REQUIRE(inside);
-        // whole pixels, but for what rounding of floats makes of their products
+        // whole pixels, except for rounding of their products in float
         REQUIRE(
             area == Approx(static_cast<double>(size.width) * static_cast<double>(size.height)).epsilon(1e-6));
         REQUIRE(box_of(layout.scene).contains(box_of(layout.scene_safe)));
@@ -130,12 +130,12 @@ TEST_CASE("letters and what is pressed are as large as a hand needs them", "[pan
     const int width = pixels(page.width);
     const int height = pixels(page.height);
     const bool upright = page.height > page.width;
-    // a turned phone has no room for more
+    // a phone on its side has no room for larger letters
     const float least = upright ? 11.0F : 9.0F;
     CAPTURE(page.width, page.height, density);
     const float usual = small * scale_on_screen(width, height, {density, 1.0F}) / density;
     CHECK(usual >= least);
-    // as in any page, and not as on a wall
+    // not larger than in an ordinary page
     CHECK(usual <= 14.0F);
     CHECK(small * scale_on_screen(width, height, {density, 1.5F}) / density >= usual);
     const Box frame{0.0F, 0.0F, static_cast<float>(width), static_cast<float>(height)};
@@ -148,7 +148,7 @@ TEST_CASE("letters and what is pressed are as large as a hand needs them", "[pan
         CHECK(layout.tabs.height >= 40.0F * density - 1.0F);
         // buttons, and a line of steps above them
         CHECK(layout.bar.height >= 40.0F * density + 40.0F * scale);
-        // something is seen of both
+        // a part of both is visible
         CHECK(layout.scene.height >= 80.0 * static_cast<double>(density));
         CHECK(layout.column.height >= 80.0F * density);
     }
@@ -157,11 +157,11 @@ TEST_CASE("letters and what is pressed are as large as a hand needs them", "[pan
 TEST_CASE(
     "letters of a picture of a phone are as large as those of a phone of unknown density",
     "[panels][frame]") {
-    // of 390 pixels of a page in the width
+    // for a page that is 390 pixels wide
     CHECK(14.0F * scale_of(1170, 2300) / 3.0F > 11.0F);
     CHECK(14.0F * scale_of(1080, 1920) / (1080.0F / 390.0F) > 11.0F);
     CHECK(scale_on_screen(1170, 2300, {}) == scale_of(1170, 2300));
-    // what is not upright is as it was before screens were known
+    // the scale of a frame that is not upright does not need the screen
     CHECK(scale_of(1280, 720) == 1.0F);
     CHECK(scale_of(2532, 1170) == 1.625F);
     CHECK(scale_on_screen(1280, 720, {1.0F, 1.0F}) == 1.0F);

@@ -45,7 +45,7 @@ TEST_CASE("numbers of an axis are round, within it, evenly spaced, two at least"
             for (std::size_t k = 0; k < marks.ticks.size(); ++k) {
                 const double at = marks.ticks[k].at;
                 CHECK(range.contains(at + (k == 0 ? 1e-8 : -1e-8) * step));
-                // the text says what the place is
+                // the text is the value at that place
                 const double said = std::stod(marks.ticks[k].text) * std::pow(10.0, marks.exponent);
                 CHECK(said == Approx(at).margin(1e-6 * step));
             }

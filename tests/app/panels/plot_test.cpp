@@ -273,7 +273,7 @@ TEST_CASE("zooming keeps what is under the mouse, panning takes it along", "[pan
         PlotState state = zoomed({}, before, at, 2.0);
         const PlotLayout nearer = layout_plot(surface.canvas(), kBoxes[1], set, state);
         CHECK(nearer.x.range.length() == Approx(0.5 * before.x.range.length()));
-        // numbers at the axis may be wider now and move it by some pixels: compare by parts of the axis
+        // numbers at the axis may be wider now and move it by some pixels: compare fractions of the axis
         const auto part = [](const Axis& axis, double value) {
             return (axis.pixel(value) - axis.start) / (axis.end - axis.start);
         };
@@ -318,7 +318,7 @@ TEST_CASE("marks that would bury the curves become one stretch with their number
     CHECK(layout.marks[1].text == "60 switches of rows");
     CHECK(layout.marks[1].end > layout.marks[1].x);
     CHECK(layout.marks[2].count == 1);
-    // nearer, each has room of its own
+    // zoomed in, each mark has enough room
     PlotState near;
     near.window = Range{1.0, 1.05};
     const PlotLayout zoomed = layout_plot(surface.canvas(), {10.0F, 20.0F, 760.0F, 420.0F}, set, near);

@@ -28,7 +28,7 @@ public:
         io.DeltaTime = 1.0F / 30.0F;
         io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
         fonts_ = render::load_fonts(scale_of(size.width, size.height));
-        ImGui::NewFrame();  // prepares what round corners are made of
+        ImGui::NewFrame();  // prepares the data for round corners
         list_ = std::make_unique<ImDrawList>(ImGui::GetDrawListSharedData());
         clear();
     }
@@ -43,7 +43,7 @@ public:
     Canvas canvas() const { return {list_.get(), fonts_}; }
     const render::Fonts& fonts() const { return fonts_; }
 
-    /// Nothing is clipped, so what leaves its place is found.
+    /// Empties the list. Nothing is clipped, so that drawing outside of its box is found.
     void clear() {
         constexpr float far = 1e5F;
         list_->_ResetForNewFrame();
@@ -79,7 +79,7 @@ inline constexpr std::array kPlaces{
     Box{10.0F, 20.0F, 480.0F, 260.0F}, Box{0.0F, 0.0F, 760.0F, 420.0F}, Box{5.0F, 5.0F, 480.0F, 520.0F},
     Box{0.0F, 0.0F, 1500.0F, 800.0F}};
 
-/// A box a little larger: lines are smoothed over a pixel on each side.
+/// Box that is one pixel larger on each side, because lines are smoothed over a pixel.
 inline Box with_fringe(const Box& box) { return shrunk(box, -1.0F, -1.0F); }
 
 }  // namespace jw::panels::test

@@ -28,7 +28,7 @@ TEST_CASE("a body dragged before anything is assembled is moved to the place ask
     const Body before = session.lesson().mechanism.bodies[1];
     REQUIRE(carry_out(session, "drag crank by 0 0 2").done);
     CHECK((session.lesson().mechanism.bodies[1].r - before.r - Vec3(0.0, 0.0, 2.0)).norm() < 1e-9);
-    // nothing else is
+    // no other body is moved
     CHECK(session.lesson().mechanism.bodies[2].r == session.as_written().mechanism.bodies[2].r);
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("what an experiment is said to do it does, at the same pose", "[app][s
                 std::string error;
                 Session another(without_motion(lesson_named(name)));
                 const ExperimentResult result = carry_out(another, e.text);
-                // what is so already is no change, but it is understood
+                // an experiment that changes nothing is still understood
                 CHECK(result.said.find("expected") == std::string::npos);
                 if (!e.effect || !e.text.starts_with("take out") || another.story().failure() != nullptr) {
                     continue;
@@ -131,7 +131,7 @@ TEST_CASE("experiments are options of the commands", "[app][commands]") {
     const Ran half = run({"solve", four_bar, "--from", "0", "--to", "0.5", "--step", "0.5"});
     CHECK(solve.status == 0);
     CHECK(solve.err.find("tried: motor changed") == 0);
-    // the same angle at half the rate: the crank's e0 stands behind the time, x, y and z
+    // the same angle at half the rate: e0 of the crank is the column after the time, x, y and z
     const auto e0 = [](const std::string& csv) {
         std::string line = csv.substr(csv.rfind('\n', csv.size() - 2) + 1);
         for (int k = 0; k < 4; ++k) { line.erase(0, line.find(',') + 1); }
@@ -154,7 +154,7 @@ TEST_CASE("check judges what is left of a lesson's claims after an experiment", 
     CHECK(broken.status == 1);
     CHECK(broken.out.find("not judged: 12 claims about what was taken out") != std::string::npos);
     CHECK(broken.out.find("FAILS after motor") != std::string::npos);
-    // as it was, all hold
+    // with the lesson as it was, all claims hold
     CHECK(run({"check", four_bar, "--try", "take out D", "--try", "undo"}).status == 0);
 }
 

@@ -25,10 +25,10 @@ inline Lesson lesson_named(const std::string& name) { return shipped(catalogue_f
 
 inline std::vector<std::filesystem::path> all_lesson_files() { return lessons_below(catalogue_folder()); }
 
-/// Without its motion: what is about the equations needs none, and telling it takes time.
+/// The lesson without its motion, which takes time and is not needed by tests of equations.
 inline Lesson without_motion(Lesson lesson) {
     lesson.motion.reset();
-    lesson.dynamics.reset();  // it is a motion too
+    lesson.dynamics.reset();  // dynamics are a motion, too
     lesson.step_texts.times.clear();
     return lesson;
 }

@@ -84,8 +84,8 @@ TEST_CASE("M q̈ − Φqᵀ λ − Q is zero to rounding in all lessons of dynam
             // rounding of a system of up to a hundred unknowns
             CHECK(left.norm() <= 1e-12 * (inertia.norm() + view->Q.norm()));
             CHECK(view->residual < 1e-12);
-            // the run has its own method, on a tree or in blocks; where rows repeat others, poses that are
-            // right to the tolerance of the run contradict each other by as much
+            // the run has its own method, on a tree or in blocks; where rows are redundant, poses that are
+            // right to the tolerance of the run make rows contradict each other by as much
             CHECK(apart(step, *view) < 1e-5);
             CHECK(view->multipliers.size() == static_cast<std::size_t>(view->lambda.size()));
 
@@ -132,7 +132,7 @@ TEST_CASE("inspect tells M, Q, λ, energies and momenta of a moment of dynamics"
     CHECK(json["M"].size() == json["Q"].size());
     CHECK(json["lambda"].size() == json["gamma"].size());
     CHECK(json["kinetic_energy"] == inspection.dynamics->energy.kinetic);
-    // kinematics has none
+    // a lesson of kinematics has no dynamics
     const Lesson driven = lesson_named("loops/four-bar");
     CHECK(json_of(inspect_time(driven, 0.5, driven.coordinates), driven)["dynamics"].is_null());
 }

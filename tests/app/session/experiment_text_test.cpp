@@ -101,7 +101,7 @@ TEST_CASE("every experiment is told in words that are read as the same experimen
             kinds.insert(experiment.index());
         }
     }
-    // a kind without an example would pass untold
+    // a kind of experiment without an example would not be tested
     CHECK(kinds.size() == std::variant_size_v<Experiment>);
 }
 

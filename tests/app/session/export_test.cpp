@@ -18,9 +18,9 @@ namespace jw::test {
 
 namespace {
 
-/// Says what LaTeX would stop at: braces or environments that do not match, commands that neither LaTeX nor
+/// Fault at which LaTeX would stop: braces or environments that do not match, commands that neither LaTeX nor
 /// amsmath has, characters that are not ASCII, two superscripts (subscripts) at one letter. Empty if there is
-/// nothing.
+/// none.
 std::string objection_to(const std::string& latex) {
     static const std::set<std::string> known{
         "alpha",       "begin", "boldsymbol",    "cdot",           "cos",

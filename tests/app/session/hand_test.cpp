@@ -8,12 +8,12 @@
 namespace jw::test {
 namespace {
 
-// Newton stops at 1e-13 in the scene's units; what the rows are multiplied with leaves room for a thousand
+// Newton stops at 1e-13 in the scene's units; a factor of a thousand leaves room for the scaling of the rows
 constexpr double kClosed = 1e-10;
 
 double residual_of(const Step& step) { return rank_of(*step.system, step.state, step.t).residual; }
 
-/// Steps at which something else is held than at the one before.
+/// Steps whose `closed_step` differs from that of the step before.
 std::vector<int> different_steps(const Story& story) {
     std::vector<int> steps;
     for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {

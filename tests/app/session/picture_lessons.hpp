@@ -103,7 +103,7 @@ inline render::Bounds bounds_of(const std::vector<render::Shape>& shapes) {
     return render::bounds_of(scene);
 }
 
-/// Corresponding points of two pictures are the same.
+/// True if two pictures have equally many parts and the same bounds.
 inline bool same_pictures(const Picture& a, const Picture& b) {
     const render::Bounds x = render::bounds_of(a.scene);
     const render::Bounds y = render::bounds_of(b.scene);

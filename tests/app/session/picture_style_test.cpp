@@ -38,7 +38,7 @@ TEST_CASE("one camera has everything in sight that is ever drawn", "[app][pictur
     }
 }
 
-// the style leaves out bodies that stand where they stood; here every step is drawn whole
+// the style skips bodies that have not moved; here every step is drawn whole
 TEST_CASE("bounds of what moves are those of whole pictures", "[app][picture]") {
     for (unsigned seed = 0; seed < 60; ++seed) {
         INFO("seed " << seed);
@@ -100,12 +100,12 @@ TEST_CASE("the camera's own choice sees no axis end-on", "[app][picture]") {
         scene.add_joint("revolute", 0, body, kPoint, axis);
         lesson = lesson_of(scene.mechanism);
         const Story story(lesson);
-        // 0.4: an arrow that is seen at two fifths of its length at least
+        // 0.4: an arrow is seen with at least two fifths of its length
         CHECK(view_direction(story, Vec3::UnitZ()).cross(axis.normalized()).norm() > 0.4);
     }
 }
 
-TEST_CASE("degenerate mechanisms are drawn without a number that is none", "[app][picture]") {
+TEST_CASE("pictures of degenerate mechanisms have only finite numbers", "[app][picture]") {
     std::vector<Lesson> lessons;
     SceneBuilder nothing;
     nothing.add_body("alone", Vec3::Zero());
@@ -121,7 +121,7 @@ TEST_CASE("degenerate mechanisms are drawn without a number that is none", "[app
         g.P_j_local = g.P_i_local;
         if (g.length > 0.0) { g.length = 1e-9; }
     }
-    // p of another length than 1 is an author's, not ours to stumble over
+    // an author may give p another length than 1, which must be drawn, too
     lessons.push_back(chain());
     lessons.back().mechanism.bodies[1].p *= 1.5;
     lessons.push_back(chain());

@@ -123,7 +123,7 @@ TEST_CASE("joints appear when they are added and only the new one is highlighted
         const Step& step = story.steps()[static_cast<std::size_t>(index)];
         const Vec3 P = placed(lesson.mechanism, joint, step.state).P_i;
         const Picture picture = picture_of(story, style, index);
-        // pins and balls are the only things in steel
+        // only pins and balls have the colour of steel
         return std::ranges::any_of(picture.scene.shapes, [&](const render::Shape& shape) {
             return shape.colour == render::palette::kSteel &&
                    (bounds_of({shape}).centre() - P).norm() < 1e-6 * style.unit;
@@ -145,12 +145,11 @@ TEST_CASE("a driven angle is an arc from u_i to u_j", "[app][picture]") {
     CHECK(has_text(picture, "θ"));
     CHECK_FALSE(has_text(picture, "\\mathbf{s}_i"));
     const auto& arc = picture.scene.polylines.front().points;
-    const Vec3 centre = picture.scene.arrows[1].from;  // foot of u_i; 0 is the head of the arc
+    const Vec3 centre = picture.scene.arrows[1].from;  // foot of u_i; arrow 0 is the head of the arc
     double length = 0.0;
     for (std::size_t k = 1; k < arc.size(); ++k) { length += (arc[k] - arc[k - 1]).norm(); }
     const double radius = (arc.front() - centre).norm();
-    // 1 %: the chords of an arc of 72 to the turn are shorter than 0.1 %, the feet of u are set apart a
-    // little
+    // 1 %: with 72 chords per turn an arc is too short by less than 0.1 %; the feet of u are a little apart
     CHECK(length == Approx(radius * 1.0).epsilon(0.01));
 }
 

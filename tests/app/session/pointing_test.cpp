@@ -16,7 +16,7 @@
 #include "tests/support/grown_mechanisms.hpp"
 #include "tests/support/long_double_svd.hpp"
 
-/// Questions that are answered by pointing at a thing or by leading a body somewhere.
+/// Questions that are answered by pointing at an object or by moving a body by hand.
 namespace jw::test {
 
 namespace {
@@ -64,8 +64,8 @@ Lesson lesson_of_mechanism(Mechanism mechanism) {
     return lesson;
 }
 
-/// Singular values that are no rounding: grown mechanisms have none between 1e-10 and 1e-7 of the largest
-/// where the program is sure of the rank.
+/// Number of singular values that are not rounding: grown mechanisms have none between 1e-10 and 1e-7 of the
+/// largest where the program is sure of the rank.
 int rank_by_singular_values(const MatrixX& matrix) {
     const VectorX values = long_double_singular_values(matrix);
     return static_cast<int>((values.array() > 1e-9 * values.maxCoeff()).count());
@@ -226,7 +226,7 @@ TEST_CASE("rows that are left out are those of the system that has been chosen",
     CHECK_FALSE(judged_by_pointing(story, q, "C p1").understood);
     CHECK_FALSE(judged_by_pointing(story, q, "").understood);
     CHECK_FALSE(judged_by_pointing(story, q, "3").understood);
-    // its equations can be clicked before it is there, and do not tell which of them stay
+    // equations of a joint can be clicked before it is added, and do not tell which of them stay
     const int asked = step_of(story, Step::Kind::question, q);
     const View view = view_of(story, asked);
     const Step& step = story.steps()[static_cast<std::size_t>(asked)];

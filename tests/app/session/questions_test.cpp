@@ -126,7 +126,7 @@ TEST_CASE("answers are computed from the scene", "[app][questions]") {
     CHECK(answer(1) == "1");
     CHECK(answer(2) == "z");
     CHECK(answer(3) == "135 deg");
-    // a question does not give it away
+    // a question does not show its answer
     for (int q = 0; q < 4; ++q) {
         CHECK(view_of(story, steps_of(story, Step::Kind::question, q)[0]).question->answer.empty());
     }

@@ -119,7 +119,7 @@ TEST_CASE("a mark stands where the rows were chosen anew", "[app][series]") {
         "sleeve p1, p2: x is left out", "sleeve p1, p2: y is left out", "sleeve p1, p2: z is left out"};
     for (std::size_t k = 0; k < 3; ++k) {
         const double exact = (67.3 + 120.0 * static_cast<double>(k)) / 60.0;
-        CHECK(set.marks[k].at > exact - 1e-3);  // of the three digits in 67.3
+        CHECK(set.marks[k].at > exact - 1e-3);  // because 67.3 has three digits
         CHECK(set.marks[k].at < exact + interval);
         CHECK(set.marks[k].text == texts[k]);
         CHECK(set.marks[k].brief == "sleeve switches");
@@ -187,8 +187,7 @@ TEST_CASE("the condition of a pair of rows is one over the component that is dro
     REQUIRE(set.series.size() == 8);  // p1 and p2: three drops and the rows in use
     for (const char* role : {"p1", "p2"}) {
         const Series& used = series_named(set, std::string(role) + " in use");
-        // √3/0.8 of docs/notation.md for p1 alone; p2 has arms of up to 0.7 m as well: 2.2 stays in sight of
-        // it
+        // √3/0.8 = 2.2 of docs/notation.md for p1 alone; p2 also has arms of up to 0.7 m, and stays near that
         for (const double condition : used.values) { CHECK(condition < 3.0); }
     }
     const Series& x = series_named(set, "p1 drop x");
@@ -246,7 +245,7 @@ TEST_CASE("Energies of a falling mechanism change into each other, and their sum
     CHECK(largest > 1.0);
     CHECK(potential.front() - *std::ranges::min_element(potential) == Approx(largest).epsilon(0.05));
     for (const double value : sum) {
-        // the lesson's tolerance is 1e-6; a hundred times that for what grows on the way
+        // the lesson's tolerance is 1e-6; a hundred times that, because errors grow on the way
         CHECK(std::abs(value - sum.front()) < 1e-4 * largest);
     }
 }
@@ -291,7 +290,7 @@ TEST_CASE("curves of dynamics are as fine as a plot is wide, and pass through th
     REQUIRE(set.at.size() > 900);
     const int last = static_cast<int>(story.steps().size()) - 1;
     for (int k = story.last_assembled() + 1; k <= last; ++k) {
-        // questions and answers are no moments of the motion
+        // questions and answers are not moments of the motion
         if (story.steps()[static_cast<std::size_t>(k)].kind != Step::Kind::motion) { continue; }
         // the last point up to a step is the step itself
         const auto above = std::ranges::upper_bound(set.steps, k);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// Edits that any lesson allows, and what some lessons have.
+/// Edits that every lesson allows, and those for what only some lessons have.
 std::vector<Experiment> edits_of(const Lesson& lesson) {
     std::vector<Experiment> all{SetCoordinates{CoordinateChoice::omega_global}};
     const Mechanism& m = lesson.mechanism;
@@ -94,7 +94,7 @@ TEST_CASE("a history of many edits leads back through every lesson it went throu
         for (const Experiment& experiment : edits_of(session.as_written())) {
             const std::uint64_t before = session.told();
             session.apply(experiment);
-            if (session.told() == before) { continue; }  // what it is about is taken out by now
+            if (session.told() == before) { continue; }  // its object has been taken out before
             stories.push_back(told(session.story()));
             lessons.push_back(lesson_text(session.lesson()));
         }
@@ -127,7 +127,7 @@ TEST_CASE("another telling is looked at in the same place", "[app][session]") {
             const int additions = session.step().additions;
             session.apply(SetCoordinates{CoordinateChoice::omega_global});
             INFO(file << " step " << k);
-            // other coordinates may need fewer iterations: then where the joint is closed
+            // other coordinates may need fewer iterations: then the step where the joint is closed is shown
             CHECK((session.step().kind == kind || kind == Step::Kind::iteration));
             CHECK(session.step().additions == additions);
             session.apply(Undo{});
@@ -143,7 +143,7 @@ TEST_CASE("a moment of the motion is found again in another telling", "[app][ses
     session.apply(SetParallelForm{0, ParallelForm::all_three});
     CHECK(session.step().kind == Step::Kind::motion);
     CHECK(session.step().t == t);
-    // where nothing can move any more, the last step before
+    // if nothing can move any more, an earlier step is shown
     session.apply(SetPresent{{Addition::Kind::joint, 3}, false});
     CHECK(session.index() < static_cast<int>(session.story().steps().size()));
 }
@@ -205,7 +205,7 @@ TEST_CASE("a slider that is dragged is one change, another slider another", "[ap
     CHECK(lesson_text(session.lesson()) == written);
     CHECK(session.undo_text().empty());
 
-    // looking elsewhere in between ends a gesture
+    // going to another step ends a gesture
     slide(0, -0.45);
     session.apply(GoTo{3});
     slide(0, -0.44);

@@ -97,7 +97,7 @@ std::optional<MatrixX> of_joint(const Step& step, const Joint& joint, const form
     return s.primes == 0 ? MatrixX(vector) : MatrixX(*local);
 }
 
-/// What the meaning should be; nothing where this test has no formula for it.
+/// Expected value of the meaning; empty if this test has no formula for it.
 std::optional<MatrixX> computed_again(const Step& step, const SymbolMeaning& meaning) {
     const auto symbol = formula::text_symbol_of(math::own_math(meaning.source).front());
     if (!symbol) { return std::nullopt; }
@@ -113,15 +113,15 @@ std::optional<MatrixX> computed_again(const Step& step, const SymbolMeaning& mea
     return of_body(BodyOfStep(step, part.body), own, symbol->dots);
 }
 
-/// How far |p| of any body is from 1, as its author typed it or Newton left it on the way: by as much the
-/// nine entries, which suppose 1, differ from G Lᵀ. Twice that in every entry, and a sum of several.
+/// Ten times the largest distance of |p|² from 1, as the author typed p or Newton left it: the nine entries,
+/// which suppose 1, differ from G Lᵀ by about as much each, and several are added.
 double off_unit(const Step& step) {
     double off = 0.0;
     for (const Vec4& p : step.state.p) { off = std::max(off, std::abs(p.squaredNorm() - 1.0)); }
     return 10.0 * off;
 }
 
-/// How many meanings could be compared.
+/// Number of meanings that could be compared; each of them is checked.
 int compared(const Step& step, const std::vector<SymbolView>& symbols) {
     int count = 0;
     for (const SymbolView& symbol : symbols) {

@@ -15,7 +15,7 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-/// All that edits change, every bit of every number, and the rest as a lesson file has it.
+/// Everything that edits can change, with every bit of every number; the rest as in a lesson file.
 std::string bits_of(const Lesson& lesson) {
     std::ostringstream out;
     out << std::hexfloat << lesson_text(lesson) << '\n';
@@ -123,14 +123,14 @@ TEST_CASE("A later edit stands for one of the same thing before, where that is e
     const std::vector<Case> cases{
         {{"form D drop x", "take out motor", "form D pair"}, {"take out motor", "form D pair"}},
         {{"coordinates rp", "coordinates omega-local"}, {"coordinates omega-local"}},
-        // as it was: nothing is left of it
+        // an edit that is taken back leaves no sentence
         {{"form D drop x", "coordinates rp", "form D rule"}, {"coordinates rp"}},
         {{"take out A", "put back A", "put back motor"}, {}},
         {{"take out D p1 x", "take out D p1 y", "put back D p1 x"}, {"take out D p1 y"}},
         // the same equation has another name in another form
         {{"form D pair", "take out D n1 pair a", "form D all three"},
          {"take out D p1 x", "form D all three"}},
-        // the motor went with the joint and is not back: neither sentence alone leads there
+        // the motor was taken out with the joint and stays out: neither sentence alone leads to this lesson
         {{"take out A", "put back A"}, {"take out A", "put back A"}},
         {{"form D pair", "form A rule", "place crank at -0.48 -0.03 0.38"}, {"form D pair"}},
         {{"form D pair", "undo", "redo"}, {"form D pair"}},
@@ -156,11 +156,11 @@ TEST_CASE(
     CHECK(loop[1].starts_with("place crank "));
     CHECK(loop[2].starts_with("place coupler "));
     CHECK(loop[3].starts_with("place rocker "));
-    // what moves along a screw, its θ
+    // for a body that moves along a screw, its θ
     const Sentences nut = tried_after({"take out turn", "go to thread", "follow 1"}, "joints/screw");
     REQUIRE(nut.size() >= 2);
     CHECK(nut.back().starts_with("geometry thread theta_start "));
-    // the same again takes the place of the first
+    // the same experiment again replaces the first one
     CHECK(
         tried_after({"take out motor", "go to D", "follow 1", "follow 1 -0.5"}, "loops/four-bar").size() ==
         4);

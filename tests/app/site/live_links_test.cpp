@@ -51,7 +51,7 @@ TEST_CASE("Every link of a lesson's page into the figure leads where it says", "
                 address.experiments.empty() ? ++stations : ++trials;
                 continue;
             }
-            // its numbers take a while: that the lesson has it is what the link says
+            // its numbers take a while: the link only promises that the lesson has the exercise
             ++exercises;
             CHECK(
                 std::ranges::find(lesson.exercises, address.exercise, &Exercise::name) !=

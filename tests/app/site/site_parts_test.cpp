@@ -47,7 +47,7 @@ TEST_CASE("Each moment of a motion that has words of its own is a station", "[si
         if (station.moves) { times.push_back(story.steps()[static_cast<std::size_t>(station.told)].t); }
     }
     REQUIRE(times.size() == 3);
-    // one before them, for what is said of the whole motion
+    // one moment before them, for the text about the whole motion
     CHECK(times[0] > 0.0);
     CHECK(times[0] < 1.0);
     CHECK(times[1] == Approx(1.0));

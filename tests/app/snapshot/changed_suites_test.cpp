@@ -49,7 +49,7 @@ at_s = 0.25
 text = "A quarter of a second."
 )";
 
-/// Names of files that took their places in a folder, in that order.
+/// Names of files that were moved into a folder, in the order of their arrival.
 class Arrivals {
 public:
     explicit Arrivals(const std::string& folder) : file_(::inotify_init1(IN_NONBLOCK)) {
@@ -87,7 +87,7 @@ TEST_CASE("a lesson that is deleted from the compared folder fails, and says how
     CHECK(says(ran, "'jointwise snapshot bless' of the folder of lessons, with --reason, removes them"));
     CHECK(says(ran, "1 lesson is deleted"));
     CHECK(says(lessons.ran("compare", {"--format", "junit"}), "<failure type=\"deleted\""));
-    // single files do not tell which lessons there are
+    // single files do not tell which lessons exist
     CHECK(lessons.ran("compare", {}, "lessons/crank.toml").status == 0);
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("the deletion of every lesson fails, and is accepted with a reason", "
     const auto kept = nlohmann::json::parse(bytes_of(lessons.golden("removed.json")));
     CHECK(kept["removed"].size() == 2);
     CHECK(lessons.ran("compare").status == 0);
-    // nothing is recorded of nothing
+    // without lessons nothing is recorded
     CHECK(lessons.ran("record").status == 2);
 }
 
@@ -161,7 +161,7 @@ TEST_CASE("the moments that the author tells something at are taken", "[snapshot
     CHECK_FALSE(fs::exists(suite.golden("motion-0.5.json")));
 }
 
-TEST_CASE("a step that is gone stands before facts that are others", "[snapshot]") {
+TEST_CASE("missing steps are listed before changed facts", "[snapshot]") {
     const Suite suite(kPlate, {"--only", "bodies", "--only", "pivot"});
     for (const char* const ending : {".json", ".png", ".ids.png", ".depth.png"}) {
         fs::copy_file(
@@ -203,7 +203,7 @@ TEST_CASE("with another number of steps, all else on the picture still counts", 
 }
 
 TEST_CASE("a record comes before the pictures that it replaces, and after new ones", "[snapshot]") {
-    // so a reason is kept if the program is killed in between, and no record is without pictures
+    // so that the reason is kept, and no record lacks its pictures, if the program is killed in between
     Suite suite(kPlate, {"--only", "bodies"});
     suite.change("radius = 0.05", "radius = 0.051");
     const std::string old_picture = bytes_of(suite.golden("bodies.ids.png"));

@@ -33,7 +33,7 @@ TEST_CASE("a number may be off by its tolerance and no more", "[snapshot]") {
     const auto changes = changes_of(before, {number("crank · r · x", 0.25 + 1.1e-6, 1e-6)});
     REQUIRE(changes.size() == 1);
     CHECK(changes[0] == FactChange{Weight::pose, "crank · r · x", "0.25 m", "0.2500011 m"});
-    // the tolerance is that of the golden snapshot: a looser one of now allows nothing
+    // the tolerance is that of the golden snapshot: a looser one in the new facts allows nothing
     CHECK(changes_of(before, {number("crank · r · x", 0.26, 1.0)}).size() == 1);
     CHECK(changes_of(before, {number("crank · r · x", 0.25, 1e-6, "mm")}).size() == 1);
 }
@@ -59,7 +59,7 @@ TEST_CASE("facts that come and go are changes, but for numbers that are nothing"
     CHECK(changes_of(none, some)[0] == FactChange{Weight::pose, "a", "", "1 m"});
     REQUIRE(changes_of(some, none).size() == 1);
     CHECK(changes_of(some, none)[0] == FactChange{Weight::pose, "a", "1 m", ""});
-    // a count has no tolerance, and zero of something is a fact
+    // a count has no tolerance, and a count of zero is a fact
     CHECK(changes_of(none, {{Weight::rank, "rank", {}, 0.0, {}, 0.0}}).size() == 1);
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("a tolerance is believed up to a hundred times that of the program", "
         std::vector<std::string>{"a: 0.00011 m may differ, of 1e-06 m"});
     // a count that a tolerance would let pass
     CHECK(loose_tolerances({number("n", 7.0, 1e9)}, {number("n", 5.0, 0.0)}).size() == 1);
-    // what is a change anyway needs no second word
+    // a fact that is reported as a change needs no second message
     CHECK(loose_tolerances({number("a", 2.0, 1.0)}, now).empty());
     // a number that is missing is not taken for zero
     REQUIRE(changes_of({number("c", 5.0, 1e9)}, now).size() == 3);

@@ -86,7 +86,7 @@ TEST_CASE("a change late in a long text is shown", "[snapshot]") {
 }
 
 TEST_CASE("characters are not cut in two", "[snapshot]") {
-    // of two, three and four bytes, and the change at every place of a longer text
+    // characters of two, three and four bytes, with the change at every place of a longer text
     for (const std::string letter : {"é", "漢", "𝄞"}) {
         for (std::size_t at = 0; at < 60; ++at) {
             std::string text;
@@ -140,7 +140,7 @@ TEST_CASE(
     CHECK(
         lesson_changes(two, body(ball + ", " + rod + ", " + ball + ", " + box)) ==
         Lines{inserted("1", "0"), inserted("3", "2")});
-    // another value beside it is a change of its own
+    // a changed value beside it is reported on its own
     const std::string thicker = replaced(rod, "0.1", "0.3");
     CHECK(
         lesson_changes(two, body(thicker + ", " + box + ", " + ball)) ==

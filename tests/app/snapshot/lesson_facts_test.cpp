@@ -34,7 +34,7 @@ table = { times_s = [0, 1000], values = [1, 2] }
 )";
 }
 
-/// Changes of the facts about a lesson where a piece of its text is another.
+/// Changes of the facts about a lesson when `from` in its text is replaced by `to`.
 std::vector<FactChange> changed_facts(
     const std::string& before, const std::string& from, const std::string& to) {
     std::string now = before;

@@ -11,7 +11,7 @@
 namespace jw::test {
 namespace {
 
-/// A pixel of a golden picture is another one from now on.
+/// Changes `count` pixels of a golden picture.
 void spoil_pixels(const Suite& suite, const std::string& file, int count) {
     render::Image image = read_png(suite.golden(file));
     for (int x = 0; x < count; ++x) {
@@ -88,7 +88,7 @@ TEST_CASE("what is blessed is the same from then on, and the reason is kept", "[
     CHECK(one.out == "crank: motion-1\n");
     const Ran left = suite.compare();
     CHECK(left.status == 1);
-    // the lesson of the others is still the old one
+    // the other snapshots still have the old lesson
     CHECK(says(left, "why: polynomial_deg of drive: number 2 10 deg smaller"));
     CHECK(suite.bless("again", {"--only", "motion-1"}).status == 2);
 

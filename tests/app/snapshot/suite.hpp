@@ -67,7 +67,7 @@ inline bool says(const Ran& ran, const std::string& words) {
     return ran.out.find(words) != std::string::npos || ran.err.find(words) != std::string::npos;
 }
 
-/// A hinged plate in plain sight.
+/// A hinged plate that is fully visible.
 inline constexpr const char* kPlate = R"(format = 1
 title = "A plate"
 [[body]]
@@ -87,7 +87,7 @@ at = [0, 0, 0]
 axis = [0, 0, 1]
 )";
 
-/// Its hinge shows a few pixels beside the post that it is in.
+/// A door: only a few pixels of its hinge are visible beside the post that it is in.
 inline constexpr const char* kDoor = R"(format = 1
 title = "A door"
 [[body]]

@@ -114,7 +114,7 @@ void CountedEquations::follow(double t, const std::vector<double>& y) {
     if (pivot < kRowsTurnBad * pivot_at_choice_) { choose_rows_again(t, y.data()); }
 }
 
-/// Other rows may say the same better. Where all are equally bad the position itself is singular.
+/// Chooses other rows if these are better conditioned. If all are equally bad, the position is singular.
 void CountedEquations::choose_rows_again(double t, const double* y) {
     const int left_out = equations().rows_left_out();
     const double before = equations().smallest_pivot();

@@ -12,15 +12,15 @@ namespace jw::peers {
 enum class Held {
     /// Projection after a step that has drifted by a tenth of the tolerance, as our explicit methods do.
     after_steps,
-    /// ẏ = f(t, P y) - κ (y - P y) with P the projection onto the constraints: the same motion on them, and
-    /// what has left them comes back. For integrators whose steps nobody else may move.
+    /// ẏ = f(t, P y) - κ (y - P y) with P the projection onto the constraints: the same motion on them, and a
+    /// state off them returns. For integrators whose steps must not be moved from outside.
     within,
     /// Projection of samples only: the motion drifts.
     in_samples,
 };
 
 /// The equations of motion that our explicit methods integrate, in the coordinates that are chosen for them,
-/// for integrators of others: every evaluation is counted.
+/// for other integrators: every evaluation is counted.
 class CountedEquations {
 public:
     CountedEquations(const Lesson& lesson, double tolerance, Held held);
@@ -31,7 +31,7 @@ public:
     const std::vector<double>& start() const { return start_; }
     double tolerance() const { return tolerance_; }
     const StateScales& scales() const { return scales_; }
-    /// A share of the time in which something moves by its size [s].
+    /// First step: a fraction of the time in which something moves by its size [s].
     double first_step(int order) const;
     bool has_loops() const { return equations().rows() > 0; }
 
@@ -40,7 +40,7 @@ public:
     /// Moves y back where it has drifted. @return whether it had
     bool project_drifted(double t, double* y);
     void project(double t, double* y);
-    /// The motion has come to y: scales, turns and rows follow.
+    /// Updates scales, turns and rows after the motion has reached y.
     void follow(double t, const std::vector<double>& y);
 
     long evaluations() const { return evaluations_; }
@@ -58,7 +58,7 @@ private:
     std::vector<double> start_;
     StateScales scales_;
     std::vector<double> first_rates_;
-    std::vector<double> moved_;  ///< onto the constraints
+    std::vector<double> moved_;  ///< the last y, projected onto the constraints
     std::vector<double> last_y_;
     std::vector<double> last_rates_;
     double last_t_ = 0.0;

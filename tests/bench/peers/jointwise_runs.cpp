@@ -11,7 +11,7 @@ namespace {
 Outcome simulate(
     const Lesson& lesson, const PeerScene& scene, const SimulationSettings& settings, double limit) {
     Simulation simulation(lesson.mechanism, lesson.dynamics->loads, settings);
-    // from here on: the models of the others stand before their clock begins as well
+    // the clock starts here: the models of the other engines are also built before theirs starts
     Run run(scene, limit);
     std::vector<double> times{0.0};
     for (int k = 1; k <= 100; ++k) { times.push_back(run.sample_time(k)); }

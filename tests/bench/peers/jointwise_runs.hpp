@@ -5,8 +5,8 @@
 
 namespace jw::peers {
 
-/// Jointwise on the same scene in the same run: every method that follows a tolerance. The making of the
-/// equations is not in the time, as that of the models of others is not.
+/// Runs Jointwise on the same scene in the same run: every method that follows a tolerance. The time excludes
+/// building the equations, as it excludes building the models of the other engines.
 void measure_jointwise(const Lesson& lesson, const PeerScene& scene, double limit, Report& report);
 
 }  // namespace jw::peers

@@ -211,7 +211,7 @@ int next_of(int steps) {
 }
 
 void measure(const PeerScene& scene, double limit, Report& report) {
-    mju_user_warning = [](const char*) {};  // the remark says it; no file in the working folder
+    mju_user_warning = [](const char*) {};  // the remark reports it; no log file in the working folder
     const ModelPointer model = compiled(mjcf(scene));
     // as shipped, MuJoCo lifts time constants below two steps; with RK4 half a step is stable and more
     // accurate

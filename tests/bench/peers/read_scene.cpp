@@ -69,8 +69,8 @@ PeerJoint placed(const Joint& joint, const State& state, bool reversed) {
     return out;
 }
 
-/// The tree grows from the ground: the nearest body first, balls last, since they are what engines close
-/// loops with. What is left over closes loops.
+/// Grows the tree from the ground: the nearest body first, ball joints last, since engines close loops with
+/// them. The joints that are left over close loops.
 void grow_tree(const Mechanism& mechanism, const State& state, PeerScene& scene, std::vector<int>& loops) {
     std::vector<int> depth(mechanism.bodies.size(), -1);
     std::vector<bool> used(mechanism.joints.size(), false);
@@ -106,7 +106,7 @@ void grow_tree(const Mechanism& mechanism, const State& state, PeerScene& scene,
     }
 }
 
-/// Loads in frames parallel to the global one. @return false if one of them is none that all engines have
+/// Adds loads in frames parallel to the global one. @return false if one is of a kind that an engine lacks
 bool add_loads(const Loads& loads, const State& state, PeerScene& scene) {
     const auto A = [&](int body) { return rotation_matrix(state.p[static_cast<std::size_t>(body)]); };
     const auto constant = [](const TimeFunction& f) {
@@ -143,7 +143,7 @@ std::string objection_to(const Lesson& lesson) {
     return {};
 }
 
-/// Joints that close loops, each with as few equations as do: fewer rows are faster.
+/// Adds joints that close loops, each with as few equations as suffice: fewer rows are faster.
 std::string close_loops(
     const std::vector<int>& loops, const Start& start, Centroidal& centroidal, PeerScene& scene) {
     const int rank = rank_of(centroidal, start);

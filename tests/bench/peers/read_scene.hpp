@@ -9,7 +9,7 @@
 namespace jw::peers {
 
 /// @param lesson must outlive the result
-/// @return the scene with its stored reference, or in `why_not` what keeps other engines from it
+/// @return the scene with its stored reference, or in `why_not` the reason why other engines cannot run it
 std::optional<PeerScene> read_scene(
     const Lesson& lesson, const std::filesystem::path& reference, std::string& why_not);
 

@@ -22,8 +22,8 @@ public:
         ERKStepWFtolerances(memory, error_weights);
         ERKStepSetTableNum(memory, table);
         ERKStepSetInitStep(memory, counted.first_step(order));
-        // also where nothing drifts: else ERKStep 5.4 takes the rate of a last stage at the end of the step
-        // for that of the next start, though no more than its time is the same, and loses its order
+        // set also where nothing drifts: otherwise ERKStep 5.4 uses the rate of a last stage at the end of
+        // the step for that of the next start, although only their times agree, and loses its order
         ERKStepSetPostprocessStepFn(memory, project_end);
     }
 

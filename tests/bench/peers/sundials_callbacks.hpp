@@ -19,7 +19,7 @@ int error_weights(N_Vector y, N_Vector weights, void* user);
 int project_end(double t, N_Vector y, void* user);
 /// Projection as CVODE wants it: as a correction.
 int correction_of_end(double t, N_Vector y, N_Vector correction, double, N_Vector, void* user);
-/// Says nothing: that a run failed stands in its row.
+/// Drops the message: the row of a run says that it failed.
 void ignore_message(int, const char*, const char*, char*, void*);
 
 }  // namespace jw::peers

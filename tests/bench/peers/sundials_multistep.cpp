@@ -8,7 +8,7 @@
 #include "tests/bench/peers/sundials_callbacks.hpp"
 #include "tests/bench/peers/sundials_solver.hpp"
 
-/// Multistep methods of SUNDIALS. Their first steps are as short as they want them: order 1.
+/// Multistep methods of SUNDIALS. They choose their first steps, of order 1, themselves.
 namespace jw::peers {
 
 namespace {

@@ -7,7 +7,7 @@
 #include "tests/bench/peers/sundials_solver.hpp"
 #include "tests/bench/peers/sweep.hpp"
 
-/// SUNDIALS on our own equations of motion: what is compared is how often they are evaluated.
+/// SUNDIALS on our own equations of motion: the numbers of evaluations are compared.
 namespace jw::peers {
 namespace {
 
@@ -65,7 +65,7 @@ constexpr std::array kChoices{
     Choice{"ESDIRK547L2SA2 5(4)", kEsdirk547, Held::after_steps, Samples::own},
     Choice{"ESDIRK547L2SA2 5(4) stops", kEsdirk547, Held::after_steps, Samples::stops}};
 
-/// A solver as our samples are taken of one.
+/// A solver as a time stepper, from which samples are taken as from our own.
 class SundialsStepper final : public TimeStepper {
 public:
     SundialsStepper(CountedEquations& equations, const Choice& choice)
@@ -155,7 +155,7 @@ Outcome simulate(const PeerScene& scene, const Choice& choice, double tolerance,
 void measure(const PeerScene& scene, double limit, Report& report) {
     for (const Choice& choice : kChoices) {
         for (double tolerance = 1e-2; tolerance > 1e-13; tolerance *= kTighter) {
-            // once: what is compared is a count
+            // once: only counts are compared
             const Outcome outcome = simulate(scene, choice, tolerance, limit);
             char setting[30];
             std::snprintf(setting, sizeof setting, "tolerance %.1e", tolerance);

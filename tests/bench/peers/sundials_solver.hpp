@@ -49,7 +49,7 @@ public:
 
 protected:
     OwnedVector new_vector() const;
-    /// A vector around numbers that are somebody else's.
+    /// A vector around numbers that it does not own.
     OwnedVector around(double* numbers) const;
     CountedEquations& equations() { return *equations_; }
     SUNContext context() const { return context_.get(); }

@@ -83,7 +83,7 @@ bool Report::is_kept(std::size_t row, double level) const {
     constexpr std::size_t looked_at = 4;
     const std::size_t end = std::min(rows_.size(), row + looked_at);
     for (std::size_t k = row; k < end && rows_[k].method == rows_[row].method; ++k) {
-        // what took too long says nothing of the tolerance before
+        // a run that took too long says nothing about the tolerance before it
         if (rows_[k].error > level && !(k > row && rows_[k].out_of_time)) { return false; }
     }
     return true;
@@ -129,7 +129,7 @@ fs::path reference_of(const fs::path& lesson) {
     return fs::path(JW_SOURCE_ROOT) / "lessons" / "reference" / (lesson.stem().string() + ".csv");
 }
 
-/// @return false if the file is no lesson
+/// @return false if the file is not a lesson
 bool measure_file(
     const fs::path& file, bool named, double limit, const char* peer, const Measure& measure,
     Compared compared) {

@@ -38,14 +38,14 @@ struct Outcome {
     double error = 0.0;  ///< largest distance from the reference [m]; infinite if it did not get to the end
     long evaluations = 0;
     long projections = 0;  ///< onto the constraints, where they can be counted
-    std::string remark;    ///< why it did not, as the engine says
+    std::string remark;    ///< why it did not, in the engine's words
     bool out_of_time = false;
 };
 
-/// Error below which nothing more is asked of a method [m].
+/// Error below which a method is not run with tighter tolerances [m].
 inline constexpr double kEnough = 1e-10;
 
-/// Tolerances of a sweep: each this part of the one before. Coarser ones would decide by luck who is first.
+/// Ratio of successive tolerances of a sweep. With a coarser ratio, luck would decide which method is first.
 inline constexpr double kTighter = 0.5623413251903491;  // four a decade
 
 /// Least time of the same run, repeated until 20 ms or five runs are over: its cost when nothing else
@@ -60,8 +60,8 @@ public:
     void add(const std::string& method, const std::string& setting, const Outcome& outcome);
     void print_best() const;
     /// Writes to stderr the fewest evaluations for the same errors, of these rows and of ours. A tolerance
-    /// counts where the three tighter ones that follow in the sweep keep the error as well: nobody picks the
-    /// one that happens to be lucky.
+    /// counts where the three tighter ones that follow in the sweep keep the error as well, so that a single
+    /// lucky one does not count.
     void print_fewest_beside(const Report& ours) const;
 
 private:

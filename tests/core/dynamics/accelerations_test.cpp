@@ -31,7 +31,7 @@ int block_rows_left_out(const Centroidal& scene) {
     return equations->rows_left_out();
 }
 
-/// Redundant rows contradict each other by what an interpolated pose is off, 1e-10, times the size of Φq.
+/// Contradiction between redundant rows: the error of an interpolated pose, 1e-10, times the size of Φq.
 constexpr double kBetweenSteps = 1e-8;
 
 double size_of(const Motion& motion) {
@@ -49,8 +49,8 @@ TEST_CASE("Masses 18 decades apart cost no digits, whoever carries whom", "[core
         int number = 0;
         for (const Mechanism& mechanism : test::mechanisms_of_all_kinds(random)) {
             CAPTURE(heavy_first, number);
-            // a light body that can spin between heavy ones has no digits to lose: reactions of 1e10 N that
-            // miss its axis by rounding turn it. So in the tree (0) and the RSSR (5)
+            // a light body that can spin between heavy ones loses all digits: reactions of 1e10 N, which miss
+            // its axis by rounding, turn it. This happens in the tree (0) and the RSSR (5)
             if (const int n = number++; n == 0 || n == 5) { continue; }
             Loads loads;
             loads.gravity = random.vector(9.81);
@@ -70,7 +70,7 @@ TEST_CASE("Masses 18 decades apart cost no digits, whoever carries whom", "[core
             Motion dense = test::dense_accelerations<OmegaGlobal>(scene, moment, t);
             block.theta_dot.clear();
             dense.theta_dot.clear();
-            // rounding by the condition of Φq, 1e3 at most here; 1e18 where masses have a say. 3e-14 measured
+            // rounding times the condition of Φq, at most 1e3 here (1e18 if masses enter it). 3e-14 measured
             CHECK(test::difference(block, dense) / size_of(block) < 1e-11);
         }
     }
@@ -128,7 +128,7 @@ TEST_CASE("Baumgarte's terms are the same in block and dense equations", "[core]
         for (const Baumgarte& baumgarte : {Baumgarte{5.0, 0.0}, Baumgarte{0.0, 8.0}}) {
             const Motion block = block_accelerations(scene, off, 0.3, baumgarte);
             const Motion dense = test::dense_accelerations<OmegaLocal>(scene, off, 0.3, baumgarte);
-            CHECK(test::difference(block, dense) < 1e-10 * size_of(block));  // as without them
+            CHECK(test::difference(block, dense) < 1e-10 * size_of(block));  // as without the terms
             CHECK(test::difference(block, block_accelerations(scene, off, 0.3)) > 1e-2 * size_of(block));
         }
     }
@@ -155,8 +155,8 @@ TEMPLATE_TEST_CASE(
             const VectorX motion =
                 e.mass_matrix() * e.acceleration() - e.jacobian().transpose() * e.lambda() - e.force();
             const VectorX rows = e.jacobian() * e.acceleration() - e.right_side();
-            // λ is made for the first, rounding is all that is left; a redundant row asks the state to be
-            // exact to rounding as well: 1e-15 and 2e-13 measured
+            // the equations of motion are solved for λ: only rounding is left. For a redundant row the state
+            // must be exact to rounding, too. 1e-15 and 2e-13 measured
             CHECK(motion.lpNorm<Eigen::Infinity>() < 1e-13 * (1.0 + e.force().norm()));
             CHECK(rows.lpNorm<Eigen::Infinity>() < 1e-11 * (1.0 + e.right_side().norm()));
         }
@@ -185,7 +185,7 @@ TEST_CASE(
                     unpack(y.data(), moving_bodies_of(scene.mechanism), moment.state, moment.motion);
                     const Motion found = simulation.acceleration(t, y);
                     Motion dense = test::dense_accelerations<OmegaLocal>(scene, moment, t);
-                    dense.theta_dot = found.theta_dot;  // follow from the others
+                    dense.theta_dot = found.theta_dot;  // not compared: follows from the others
                     CAPTURE(t);
                     CHECK(test::difference(found, dense) < kBetweenSteps * size_of(dense));
                     ++compared;
@@ -223,7 +223,7 @@ TEST_CASE("Rows left out are as many as the rank says", "[core][dynamics]") {
 }
 
 TEST_CASE("A choice of rows that is taken back leaves the equations as they were", "[core][dynamics]") {
-    // where the bodies are turned the rule of slide 5 drops other rows, and pivots keep others
+    // at turned bodies the rule of slide 5 drops other rows, and pivots keep others
     test::Random random(4);
     for (const Mechanism& mechanism : {test::random_tree(random), test::bricard(1.2)}) {
         const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));

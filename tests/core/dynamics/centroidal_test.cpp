@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kRounding = 1e-14;  // numbers below 10, some ten operations
 
-/// Joints of a screw and drivers of every measure but the place of a body, which is that of its origin.
+/// A screw, and drivers of every measure except the place of a body, which is that of its origin.
 Mechanism with_drivers(test::Random& random) {
     Mechanism mechanism = test::random_drivers(random);
     std::erase_if(mechanism.drivers, [](const Driver& d) {

@@ -18,7 +18,7 @@ TEST_CASE("Implicit methods keep driven loops on their branch, at any tolerance"
     for (unsigned k = 0; k < number_from("JW_BRANCH_LOOPS", 10); ++k) {
         const unsigned seed = 20000 + k;
         Random random(seed);
-        // below 1e-7 some runs end with too small a step, on their branch
+        // with margins below 1e-7 some runs end because the step is too small, still on their branch
         const double margin = log_uniform(random, 1e-6, 0.3);
         const DrivenLoop loop = generate(random, margin);
         SimulationSettings settings;

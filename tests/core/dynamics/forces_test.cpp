@@ -123,7 +123,7 @@ TEST_CASE(
         loads.torques.push_back({1, direction, frame, grows});
         const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment, 0.5);
         const Vec3 f = size * (frame == Frame::local ? (A * direction).eval() : direction);
-        const Vec3 n = (A * point).cross(f) + f;  // the torque has the numbers of the force
+        const Vec3 n = (A * point).cross(f) + f;  // the torque has the components of the force
         CHECK((forces[1].f - f).norm() < 1e-14);
         CHECK((A * forces[1].n_local - n).norm() < 1e-14);
         CHECK(forces[0].f.norm() + forces[0].n_local.norm() == 0.0);
@@ -200,7 +200,7 @@ TEST_CASE("Friction and law of a spring add what their formulas say", "[core][dy
     const double pull = 5.0 * 4.0 - 7.0 + 3.0 * 0.5 + kFriction.at(0.5);
     CHECK(forces[0].f.x() == Approx(pull));
     CHECK(forces[1].f.x() == Approx(-pull));
-    // of an angle, counted from that at which the spring has none
+    // the law of an angle gets the angle itself, not its difference from the free angle
     const double angle = 0.4;
     const double torque = 5.0 * angle * angle - 7.0 + 3.0 * 0.6 + kFriction.at(0.6);
     CHECK(forces[0].n_local.z() == Approx(torque));

@@ -64,7 +64,7 @@ TEST_CASE("States of all forms are one and the same flat state", "[core][dynamic
             e.to_flat(y.data(), back.data());
             // rounding of some products
             CHECK(most_apart(scene.flat, back) < 1e-13);
-            // values and rates of what is interpolated say all of y
+            // values and rates of the interpolated numbers determine all of y
             e.choose_rows(0.3, y.data());
             e.evaluate(0.3, y.data(), y_dot.data());
             const auto count = static_cast<std::size_t>(e.interpolated());
@@ -118,7 +118,7 @@ TEST_CASE(
         for (double& number : drawn) { number = random.number(); }
         std::vector<ProbedBody> bodies(at(block->bodies()));
         REQUIRE(block->free_motion(0.0, y.data(), drawn, bodies));
-        // as velocities, which must meet the rates of all equations
+        // the free motion as velocities, which must satisfy the rates of all equations
         std::vector<double> moving = y;
         double size = 0.0;
         for (std::size_t m = 0; m < bodies.size(); ++m) {
@@ -133,7 +133,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("A driver of the block equations asks for what it was set to", "[core][dynamics][forms]") {
+TEST_CASE("A driver of the block equations prescribes the value that was set", "[core][dynamics][forms]") {
     Mechanism mechanism = test::driven(test::four_bar_at(0.7), 0, 1.5);
     mechanism.drivers.push_back(mechanism.drivers.front());
     mechanism.drivers.back().function = test::polynomial({0.2});
@@ -143,7 +143,7 @@ TEST_CASE("A driver of the block equations asks for what it was set to", "[core]
     const std::vector<double> y = flat_start(scene.mechanism);
     const auto block = block_equations(scene);
     const double f = mechanism.drivers.front().function.polynomial.front();
-    // the other one first: it asks for an angle elsewhere
+    // before it is set, the other driver prescribes a different angle
     CHECK(block->violation(0.0, y.data()).first > 1e-2);
     block->set_driver(1, f, 0.0);
     CHECK(block->violation(0.0, y.data()).first < 1e-12);
@@ -178,10 +178,10 @@ TEST_CASE("The block equations begin with the turns that a nut's place tells", "
     block->begin_turns(0.0, y.data());
     std::vector<double> up = y;
     vec3(up.data()) += 6.0 * test::kPi * alpha * Vec3(1.0, 2.0, 2.0).normalized();
-    // three turns up the thread, which it has not made
+    // three turns up the thread, which the screw has not made
     std::vector<double> pulled = up;
     CHECK(block->project(0.0, pulled.data()) > 1e-2);
-    // a motion that begins there has
+    // a motion that begins there has made these turns
     block->begin_turns(0.0, up.data());
     CHECK(block->project(0.0, up.data()) < 1e-12);
 }

@@ -81,7 +81,7 @@ TEST_CASE(
     const double end = 0.9;
     for (const MethodName& method : kMethods) {
         CAPTURE(method.name);
-        // of fixed steps of 1e-4 the simplest method has an error of h in the rate, of way_left likewise
+        // with fixed steps h = 1e-4 the simplest method has an error of h in the rate, and in way_left
         const double allowed = entry_of(method.method).adaptive ? 1e-6 : 1e-3;
         for (const bool slides : {true, false}) {
             const Scene scene = slides ? sled(0.7, friction, 0.0) : wheel(4.51, friction, 0.0);
@@ -102,13 +102,13 @@ TEST_CASE(
         const double creeps = friction.speed * share / std::sqrt(1.0 - share * share);
         const double pull = share * friction.size;
         CAPTURE(share, creeps);
-        // the slowest of these comes to its rate within (1 - share²)^(-3/2) m s / F = 0.4 s
+        // the slowest of these reaches its rate within (1 - share²)^(-3/2) m s / F = 0.4 s
         for (const Method method : {Method::explicit_8, Method::implicit_9}) {
             CHECK(rate_at(sled(0.0, friction, pull), 10.0, method) == Approx(creeps).epsilon(1e-6));
             CHECK(rate_at(wheel(0.0, friction, pull), 10.0, method) == Approx(creeps).epsilon(1e-6));
         }
     }
-    // pulled by more, it is sped up by the rest
+    // a larger pull accelerates the sled by the difference
     const double sped_up = rate_at(sled(0.0, {2.0, 1e-3}, 3.0), 4.0, Method::explicit_8);
     CHECK(sped_up == Approx((3.0 - 2.0) / kMass * 4.0).epsilon(1e-3));
 }
@@ -212,7 +212,7 @@ TEST_CASE(
     rest = rest_of({{Kind::number, 1e4}, {Kind::variable, 0.0}, {Kind::product}, {Kind::sine}}, 0.0);
     CHECK(rest.motions.stability == Stability::stable);
     CHECK(omega(rest).imag() == Approx(std::sqrt(1e4 / kMass)));
-    // 20 d - 0.1 ḋ: a law that feeds the motion, beside a potential that is least there
+    // 20 d - 0.1 ḋ: a law that adds energy to the motion, with a potential that has its minimum there
     rest = rest_of(
         {{Kind::number, 20.0},
          {Kind::variable, 0.0},

@@ -61,7 +61,7 @@ TEST_CASE(
         CAPTURE(seed);
         test::Random random(seed);
         for (const Mechanism& mechanism : test::mechanisms_of_all_kinds(random)) {
-            // in the tree of all types nothing holds the wheels, and centres may meet
+            // in the tree of all types the wheels can move freely, and centres may meet
             if (mechanism.joints.size() < std::size(kJointTypes)) { check(mechanism, random); }
         }
     }
@@ -85,7 +85,7 @@ TEST_CASE("A loop rests where its closed form is lowest downhill from its start"
         test::DrivenLoop loop = test::driven_four_bar(random, margin);
         CAPTURE(seed, margin);
         loop.mechanism.drivers.clear();
-        // the coupler carries the only weight that moves, in its joint to the rocker
+        // the only weight that moves is on the coupler, at its joint with the rocker
         Loads loads = point_masses(loop.mechanism, 1.0, loop.size * loop.size);
         loads.gravity = kG * random.direction();
         for (const int body : {1, 3}) {
@@ -109,7 +109,7 @@ TEST_CASE("A loop rests where its closed form is lowest downhill from its start"
                 height(low + third) < height(high - third) ? -third : third;
         }
         const Vec3 expected = loop.expected(0.5 * (low + high));
-        // a minimum by values is known to the root of rounding
+        // a minimum found from values is known only to the root of rounding
         CHECK((rest.state.r[at(loop.body)] - expected).norm() < 1e-5 * loop.size);
         CHECK(rest.motions.stability == Stability::stable);
     }

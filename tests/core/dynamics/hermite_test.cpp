@@ -62,12 +62,12 @@ TEST_CASE("A polynomial through ends of steps is the one that they lie on", "[co
     const auto seed = GENERATE(1U, 2U, 3U);
     CAPTURE(count, static_cast<int>(meets), seed);
     test::Random random(seed);
-    // as many coefficients as there is known
+    // as many coefficients as there are known values
     const auto known = static_cast<std::size_t>(count) * static_cast<std::size_t>(meets);
     const std::vector<Polynomial> numbers{random_polynomial(random, known), random_polynomial(random, known)};
     const std::vector<double> times{-0.4, 0.1, 0.7, 1.0};
     HermitePolynomial polynomial;
-    // a fit before leaves nothing behind
+    // an earlier fit has no effect
     polynomial.fit(nodes_of({random_polynomial(random, 12), {1.0}}, times), Meets::second_derivatives_too);
     polynomial.fit(nodes_of(numbers, {times.begin(), times.begin() + count}), meets);
     for (const double t : {-0.4, -0.3, 0.05, 0.5, 1.0}) {

@@ -40,7 +40,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
     return largest;
 }
 
-/// J' without products of inertia, which are left out of the work.
+/// Sets the products of inertia in every J' to zero, for which the equations have a shorter form.
 void turn_to_principal_axes(Centroidal& scene) {
     for (std::optional<MassProperties>& own : scene.loads.masses) {
         if (own) { own->J_local = Mat3(own->J_local.diagonal().asDiagonal()); }
@@ -65,7 +65,7 @@ TEST_CASE("In joint coordinates the joints of the tree hold whatever the numbers
         CAPTURE(seed);
         test::Random random(seed);
         Mechanism mechanism = moved_rigidly(test::random_tree(random), random.unit_p(), random.vector());
-        // single equations and links without mass are no joints to hang from
+        // a body cannot hang from single equations or from links without mass
         std::erase_if(mechanism.joints, [](const Joint& joint) { return !joint.type->can_carry(); });
         const Centroidal scene = centroidal(mechanism, test::random_loads(random, mechanism));
         TreeEquations tree(scene, test::flat_of(scene, test::random_moment(random, scene, 0.0)));

@@ -109,8 +109,8 @@ void check_against_differences(const Scene& scene) {
             // functions grow to some ten in a second
             const double rate_error = 100.0 * test::kRateError;
             const double error = 100.0 * test::kAccelerationError;
-            // angles of wheels near their line bend faster: with a shorter step rounding is 1e-8; curves
-            // still faster
+            // angles of wheels near their line have larger derivatives: with a shorter step rounding is 1e-8;
+            // those of curves are larger still
             const bool is_curve = std::holds_alternative<CurveFollowed>(primitive);
             const double h = is_curve ? 1.25e-4 : counts_turns(primitive) ? 5e-4 : 2e-3;
             CHECK((rows.first - test::rate_by_difference(value, 0.5 * h)).norm() < rate_error);
@@ -175,7 +175,7 @@ TEST_CASE("A screw is followed by its rate through turns that no pose tells", "[
         const double before = random.number(0.0, 1.0);
         const double now = before + random.number(1.0, 2.0);
         ScrewTurned screw{{}, {}, random.number(0.1, 0.5), random.number(), random.number()};
-        // several turns later, and up to 2 rad beside what the rate promises
+        // several turns later, and up to 2 rad from the angle that the rate predicts
         screw.so_far = TurnsSoFar{before, theta - rate * (now - before) + random.number(-2.0, 2.0), rate};
         const double off = random.number(-0.1, 0.1);
         const double advanced = screw.d_0 + screw.alpha * (theta - screw.theta_0) + off;
@@ -203,7 +203,7 @@ TEST_CASE("A gear is followed by its rate through turns that no pose tells", "[c
         const double turned_j = std::remainder(gear.j.ratio * theta + off, turn);
         // rounding of 180 rad
         CHECK(std::abs(gear.residual(turned_i, turned_j, now) - off) < 1e-12);
-        // without a history a few turns of a wheel with teeth are found
+        // without a history, a few turns of a wheel with teeth can still be found
         gear.so_far.reset();
         gear.j.ratio = -7.0 / 11.0;
         const double few = random.number(-4.0, 4.0) * turn;
@@ -221,7 +221,7 @@ TEST_CASE(
     for (unsigned seed = 1; seed <= 20; ++seed) {
         test::Random random(seed);
         CAPTURE(seed);
-        // turns that lie 6 mm apart: of a point 4 mm beside, the nearest one is not the one that is meant
+        // turns that lie 6 mm apart: for a point 4 mm away, the nearest turn is not the right one
         CurveFollowed c{};
         c.curve.linear = Vec3(0.0, 0.0, 1e-3);
         c.curve.harmonics = {{Vec3::UnitX(), Vec3::UnitY()}};
@@ -243,10 +243,10 @@ TEST_CASE(
         const Vec3 side = c.side_at(bent);
         CHECK(std::abs(side.dot(bent)) < 1e-15);
         CHECK(std::abs(side.norm() - 1.0) < 1e-15);
-        // of all directions across the curve, the nearest to the one before
+        // the direction across the curve that is nearest to the previous one
         CHECK(std::abs(side.dot(bent.cross(c.side))) < 1e-15);
         CHECK(side.dot(c.side) > 0.9);
-        // along an axis that is taken out, a point is as far as it likes
+        // along an axis that is taken out, a point may be at any distance
         c.P_i_local = random.vector();
         c.P_j_local = random.vector();
         c.free_axis = Vec3::UnitY();
@@ -254,7 +254,7 @@ TEST_CASE(
         CHECK(std::abs(d_local_of(c, somewhere(), somewhere()).y()) < 1e-15);
         CHECK(c.side_at(Vec3::UnitX()) == Vec3(0.0, 0.0, -1.0));
         c.free_axis.setZero();
-        // along the side itself there is none
+        // along the side itself there is no nearest direction
         CHECK(c.side_at(c.side) == perpendicular_to(c.side));
     }
 }
@@ -273,7 +273,7 @@ TEST_CASE("Without one of its equations with θ a joint keeps what does not need
             const auto [mechanism, links] = links_without(type, {role});
             int rows = 0;
             for (const Link& link : links) { rows += link.rows; }
-            // two other equations of a curve say what θ is, and one thing more; p1 and p2 of a screw stay
+            // the other two equations of a curve determine θ and leave one row; p1 and p2 of a screw stay
             CHECK(rows == (type.has_curve() ? 1 : type.has_angle() ? 4 : 0));
             if (type.has_curve()) { check_against_differences(moving(random, mechanism)); }
         }

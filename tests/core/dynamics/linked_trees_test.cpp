@@ -5,7 +5,7 @@
 #include "tests/support/driven.hpp"
 #include "tests/support/random_dynamics.hpp"
 
-/// Trees whose bodies are linked once more: rows between two bodies whose common ancestor moves itself.
+/// Trees with additional links: rows between two bodies whose common ancestor moves itself.
 
 using namespace jw;
 
@@ -20,7 +20,7 @@ struct LinkedScene {
     std::vector<double> start;
 };
 
-/// Linked trees drawn at random; few have no pose nearby at the time of the test, and are left out.
+/// Random linked trees; the few that have no pose nearby at the time of the test are skipped.
 class LinkedScenes {
 public:
     LinkedScene next() {
@@ -29,7 +29,7 @@ public:
             test::Random& random = linked.random;
             Mechanism mechanism =
                 moved_rigidly(test::random_linked_tree(random), random.unit_p(), random.vector());
-            // of the last body, which hangs on one that moves
+            // height of the last body, which hangs on one that moves
             mechanism.drivers.push_back(
                 {"height", -1, 0, static_cast<int>(mechanism.bodies.size()) - 1, CoordinateMeasure{2},
                  test::polynomial({mechanism.bodies.back().r.z(), random.number(), random.number()})});
@@ -44,7 +44,7 @@ public:
     unsigned seed = 0;
 
 private:
-    /// The moment's own test does not know the equation of p1 that is left out.
+    /// True if a moment satisfies the equation of p1 that is left out, too; random_moment does not test it.
     static bool find_moment(LinkedScene& linked) {
         constexpr double nearby = 0.02;
         try {

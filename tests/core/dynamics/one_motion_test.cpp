@@ -30,7 +30,7 @@ std::vector<double> equal_times(double end, int count) {
     return times;
 }
 
-/// Largest distance of a body from where its tree's drivers put it, and of its axes.
+/// Largest distance of a body, and of its axes, from the place that its tree's drivers prescribe.
 double distance(
     const test::DrivenTree& tree, const Centroidal& scene, double t, const std::vector<double>& y) {
     const std::vector<Eigen::Isometry3d> moved = tree.moved(t);
@@ -102,7 +102,7 @@ TEST_CASE(
                 CHECK_FALSE(outcome.failure);
                 // some ten to three hundred steps; another branch is off by a tenth at least
                 CHECK(off < 1000.0 * tolerance);
-                // in the sizes of other equations than those that were integrated: twice
+                // in the sizes of other equations than those that were integrated: twice the tolerance
                 CHECK(violation.first < 2.0 * tolerance);
                 CHECK(violation.second < 2.0 * tolerance);
             }

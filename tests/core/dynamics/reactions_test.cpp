@@ -30,7 +30,7 @@ Reactions static_reactions(const Centroidal& scene) {
     return find_reactions(scene, 0.0, start_state(scene.mechanism), none, none);
 }
 
-/// Joint wrenches on body j that Φqᵀ λ of the dense equations stands for, with their λ = 0 for rows left out.
+/// Joint wrenches on body j from Φqᵀ λ of the dense equations, with λ = 0 for rows that are left out.
 std::vector<Wrench> wrenches_of_lambda(
     const DenseEquations<OmegaGlobal>& e, const Reactions& reactions, const State& state) {
     std::vector<Wrench> out;
@@ -89,7 +89,7 @@ Vec6 six_of(const Wrench& wrench) {
     return out;
 }
 
-/// Another answer agrees in what is called unique, and the rest of the difference is in the family.
+/// Checks that another solution agrees in all that is unique, and that the difference is in the family.
 void check_differs_by_family(const Reactions& found, const std::vector<Wrench>& other) {
     MatrixX family(6 * other.size(), found.family.size());
     VectorX differs(6 * other.size());
@@ -114,7 +114,7 @@ void check_differs_by_family(const Reactions& found, const std::vector<Wrench>& 
     if (found.family.empty()) { return; }
     const VectorX share = family.colPivHouseholderQr().solve(differs);
     CHECK((family * share - differs).norm() < 1e-9 * size);
-    CHECK(differs.norm() > 1e-3 * size);  // else nothing has been looked at
+    CHECK(differs.norm() > 1e-3 * size);  // otherwise the solutions are equal, and nothing was tested
 }
 
 }  // namespace
@@ -170,7 +170,7 @@ TEST_CASE(
         CHECK((reaction.wrench.force.head<2>() - plane.segment<2>(2 * joint)).norm() < 1e-12);
         CHECK(reaction.force_unique == std::array{true, true, false});
         CHECK(reaction.torque_unique == std::array{false, false, true});
-        // the smallest answer has nothing that the loads do not ask for
+        // the solution of least norm has no components that the loads do not require
         CHECK(std::abs(reaction.wrench.force.z()) < 1e-12);
         CHECK(reaction.wrench.torque.norm() < 1e-12);
     }
@@ -218,7 +218,7 @@ TEST_CASE(
         e.evaluate(0.3, y.data(), y_dot.data());
         const Motion acceleration = test::accelerations_of(e, y, y_dot, moment);
         const Reactions found = find_reactions(scene, 0.3, moment.state, moment.motion, acceleration);
-        CHECK(found.residual < 1e-11);  // 1e-16 by the smallest singular value, 1e-3 at the least
+        CHECK(found.residual < 1e-11);  // 1e-16 over the smallest singular value, at least 1e-3
         CHECK(found.holds());
         // accelerations that are wrong by a millionth along a free motion; the driven one has none
         if (mechanism.drivers.empty()) {

@@ -48,7 +48,7 @@ Problem parallelogram() {
         body.r_dot = omega.cross(b == coupler ? up : 0.5 * up);
         if (b != coupler) { body.omega_local = builder.local(b, omega); }
     }
-    // the same moment across the rod in all directions: only the one about z counts
+    // the same moment of inertia about all axes: only the one about z matters
     out.loads.masses.assign(4, MassProperties{1.0, Vec3::Zero(), Mat3::Identity() / 12.0});
     out.loads.masses[0].reset();
     out.loads.gravity = Vec3(0.0, -9.81, 0.0);
@@ -120,7 +120,7 @@ TEST_CASE(
     // rounding of 2000 steps; 15 digits are given
     CHECK((parallelogram_by_its_angle(10.0, 2000) - reference).norm() < 1e-12);
     const Problem problem = parallelogram();
-    // a stage next to a singular position costs digits, steps of one length do not keep off: 8e-8 measured
+    // a stage next to a singular position costs digits, and fixed steps do not avoid it: 8e-8 measured
     CHECK((end_point<OmegaLocal>(problem, 10.0, 1000) - reference).norm() < 1e-6);
     CHECK((end_point<OmegaGlobal>(problem, 10.0, 1000) - reference).norm() < 1e-6);
 }

@@ -98,7 +98,7 @@ TEST_CASE(
 TEST_CASE("Errors fall with the order of the table", "[core][dynamics][runge-kutta]") {
     for (const RungeKuttaTable* table : tables()) {
         CAPTURE(table->order);
-        // steps at which the leading term of the error rules and rounding is far
+        // steps for which the leading term of the error dominates and rounding is negligible
         const int steps = table->order == 1 ? 2000 : table->order == 8 ? 5 : 80;
         const double coarse = error_after_turning(*table, steps);
         const double fine = error_after_turning(*table, 2 * steps);

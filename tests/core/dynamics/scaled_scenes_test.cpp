@@ -5,7 +5,7 @@
 #include "core/integrate/simulation.hpp"
 #include "tests/support/random_dynamics.hpp"
 
-/// Units are a matter of taste: a scene in other units of length, time and mass moves as before.
+/// Independence of units: a scene in other units of length, time and mass moves as before.
 namespace jw {
 
 namespace {
@@ -71,7 +71,7 @@ TEST_CASE("A body between planes slides along them in every method, in any units
                 settings.method = method;
                 settings.tolerance = 1e-9;
                 settings.formulation = Formulation::bodies;
-                // a run that goes nowhere fails, and does not go on for ever
+                // a run that makes no progress fails instead of running for ever
                 settings.most_steps = 1000;
                 Simulation simulation(slid.mechanism, slid.loads, settings);
                 double most = 0.0;

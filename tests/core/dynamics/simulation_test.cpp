@@ -55,7 +55,7 @@ TEST_CASE("A loop with a tilted axis is refused at the start, and the joint is n
         CHECK(received == 0);
         const auto names_it = [&](const Joint& joint) { return joint.name == outcome.failure->equation_of; };
         CHECK(std::ranges::any_of(mechanism.joints, names_it));
-        // the tilt, as much of it as the loop leaves to one equation
+        // the part of the tilt that the loop leaves to one equation
         CHECK(outcome.failure->violation > 0.1 * tilt);
         CHECK(outcome.failure->violation < 2.0 * tilt);
     }
@@ -73,7 +73,7 @@ TEST_CASE(
     const Mechanism mechanism = tilted_four_bar(0.0);
     SimulationSettings settings;
     settings.method = Method::explicit_5;
-    // loose, so that steps drift by more than they may and are projected and evaluated once more
+    // loose, so that steps drift by more than allowed, and are projected and evaluated again
     for (const double tolerance : {1e-9, 1e-3}) {
         settings.tolerance = tolerance;
         Simulation simulation(mechanism, loads_of(mechanism), settings);
@@ -91,7 +91,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Implicit methods move bodies whose joints have no coordinates", "[core][dynamics]") {
-    // a straight chain with p = (1, 0, 0, 0): e0 and all x are at their ends and tell nothing
+    // a straight chain with p = (1, 0, 0, 0): e0 and all x have extreme values and determine nothing
     test::SceneBuilder chain;
     for (int k = 0; k < 2; ++k) {
         const int rod = chain.add_body("rod", Vec3(0.5 + k, 0.0, 0.0));
@@ -213,7 +213,7 @@ TEST_CASE(
         CHECK((started().omega_local[b] - mechanism.bodies[b].omega_local).norm() < 1e-12);
         mechanism.bodies[b].omega_local.setZero();
     }
-    // two that no motion has: the nearest ones that there are, neither of them as given
+    // two velocities that no motion has: the nearest possible ones are used, and neither is as given
     mechanism.bodies[1].omega_local = turning(1, 5.0);
     mechanism.bodies[3].omega_local = turning(3, -5.0);
     const Motion nearest = started();

@@ -60,7 +60,7 @@ TEST_CASE("Sines and cosines beside quarter turns keep all their digits", "[core
         angles.push_back(quarters * 0.5 * std::numbers::pi);
     }
     CHECK(largest_error(angles) < kRounding);
-    // small ones to a share of themselves
+    // relative to their own size, for small values too
     const std::vector<FourTurns> turns = turns_by(angles);
     for (std::size_t k = 0; k < angles.size(); ++k) {
         const auto angle = static_cast<long double>(angles[k]);
@@ -68,7 +68,7 @@ TEST_CASE("Sines and cosines beside quarter turns keep all their digits", "[core
              {std::pair{turns[k / 4].sine[k % 4], std::sin(angle)},
               std::pair{turns[k / 4].cosine[k % 4], std::cos(angle)}}) {
             const long double error = std::abs(static_cast<long double>(found) - right);
-            // three parts of π/2 leave 2^-99 of it out, a million times
+            // three parts of π/2 leave out 2^-99 of it, up to a million times
             if (error > 4e-16L * std::abs(right) + 1e-24L) { FAIL_CHECK("at " << angles[k]); }
         }
     }

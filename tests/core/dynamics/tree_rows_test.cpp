@@ -59,7 +59,7 @@ MatrixX mass_matrix(const Centroidal& scene) {
     return M;
 }
 
-/// Pivots of R (M on the motions that the hinges leave)⁻¹ Rᵀ, each by the size of R M⁻¹ Rᵀ.
+/// Smallest pivot of R (M on the motions that the hinges allow)⁻¹ Rᵀ, relative to the size of R M⁻¹ Rᵀ.
 double smallest_pivot(const Centroidal& scene, const MatrixX& hinges, const MatrixX& R) {
     const MatrixX N = Eigen::FullPivLU<MatrixX>(hinges).kernel();
     const MatrixX M = mass_matrix(scene);
@@ -98,11 +98,12 @@ TEST_CASE(
     tree.evaluate(0.0, y.data(), y_dot.data());
     const MatrixX all = dense_at(moved.mechanism, start_state(moved.mechanism)).jacobian;
     const double expected = smallest_pivot(moved, all.topRows(5 * Rods::kHinges), all.bottomRows(3));
-    // sizes are those of the rows where they were chosen, here; rounding only
+    // sizes are those of the rows at the pose where they were chosen, which is this one; rounding only
     CHECK(tree.smallest_pivot() == Approx(expected).epsilon(1e-9));
 }
 
-TEST_CASE("A row between bodies that nothing else holds keeps all of itself", "[core][dynamics][tree_rows]") {
+TEST_CASE(
+    "A row between bodies without other constraints keeps its full size", "[core][dynamics][tree_rows]") {
     test::Random random(7);
     test::SceneBuilder scene;
     scene.add_body("body", random.vector());
@@ -133,7 +134,7 @@ TEST_CASE("Rows of loops are off by the sizes of their equations", "[core][dynam
     std::vector<double> y_dot(y.size());
     tree.evaluate(0.0, y.data(), y_dot.data());
 
-    // elsewhere: what was evaluated says nothing of it
+    // another pose, for which the evaluated numbers do not hold
     for (double& number : y) { number += random.number(-0.05, 0.05); }
     std::vector<double> flat(at(kNumbersPerBody * tree.bodies()));
     tree.to_flat(y.data(), flat.data());
@@ -146,7 +147,7 @@ TEST_CASE("Rows of loops are off by the sizes of their equations", "[core][dynam
         velocities.segment<3>(6 * b) = motion.r_dot[at(b + 1)];
         velocities.segment<3>(6 * b + 3) = motion.omega_local[at(b + 1)];
     }
-    // a row changes by its size where bodies move by one extent
+    // the size of a row is its change when bodies move by one extent
     const double L = extent(moved.mechanism);
     double off = 0.0;
     double rate_off = 0.0;
@@ -163,7 +164,7 @@ TEST_CASE("Rows of loops are off by the sizes of their equations", "[core][dynam
     const auto [found, found_rate] = tree.violation(0.0, y.data());
     CHECK(found == Approx(off).epsilon(1e-9));
     CHECK(found_rate == Approx(rate_off).epsilon(1e-9));
-    // and so says the way back
+    // the projection reports the same
     CHECK(tree.project(0.0, y.data()) == Approx(off).epsilon(1e-9));
     const auto [left, left_rate] = tree.violation(0.0, y.data());
     CHECK(left < 1e-14);
@@ -174,7 +175,7 @@ TEST_CASE(
     "Rows of loops that repeat others are left out of joint coordinates", "[core][dynamics][tree_rows]") {
     struct Loop {
         Mechanism mechanism;
-        int kept;  ///< freedoms of its tree, less its own
+        int kept;  ///< freedoms of its tree minus its own
     };
     const auto [mechanism, kept] = GENERATE(
         Loop{test::four_bar_at(0.7), 2}, Loop{test::driven(test::four_bar_at(0.7), 0, 1.5), 3},

@@ -46,7 +46,7 @@ Vec3 centre_of(const Simulation& simulation, const std::vector<double>& y, int b
 
 constexpr double kTolerance = 1e-8;
 
-/// Runs a scene in all ways. @param off  how far it is from where it should be, of (simulation, t, y) [m]
+/// Runs a scene in all ways. @param off  distance from the expected position, given (simulation, t, y) [m]
 template <class F>
 void check_in_all_ways(
     const Mechanism& mechanism, const Loads& loads, const std::vector<double>& times, double bound, F&& off) {

@@ -34,7 +34,7 @@ std::array<Vec3, 3> curve_at(const OffCurve& m, Real u) {
     return out;
 }
 
-/// Parameter of the nearest point, by looking everywhere and halving.
+/// Parameter of the nearest point, by a search over the whole curve and bisection.
 Real nearest_on(const OffCurve& m, const Vec3& point) {
     const auto distance = [&](Real u) { return (curve_at(m, u)[0] - point).squaredNorm(); };
     const Real square = m.linear.squaredNorm();
@@ -272,7 +272,7 @@ private:
         move(to, g);
         move(from, -g);
     }
-    /// Adds what an angle from e to u about s passes on to s and u.
+    /// Adds to the gradient the contributions of s and u to an angle from e to u about s.
     /// δθ = (C δS - S δC) / (S² + C²) with S = (e × u) · s and C = e · u.
     /// @return the factor of δe
     Vec3 angle_from(const Vec3& e, const Fixed& to, const Fixed& about, Real weight) {
@@ -288,7 +288,7 @@ private:
     }
     void angle(const Angle& m, Real weight) { turn(m.u_i, angle_from(arm(m.u_i), m.u_j, m.s, weight)); }
 
-    /// An angle from a line, whose change is passed on to what the line is made of.
+    /// Adds an angle from a line, with the contributions of the vectors that the line is made of.
     void wheel(const WheelAngle& m, Real weight) {
         const bool of_centres = m.line == WheelAngle::Line::centres;
         const bool of_axes = m.line == WheelAngle::Line::normal;

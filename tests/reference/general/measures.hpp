@@ -8,7 +8,7 @@
 /// Equations of a model at a state: value, rate, γ and gradient.
 namespace jw::reference::general {
 
-/// A body on its way: accelerations of centre of mass and rotation (ω̇, global) are zero.
+/// A moving body: the accelerations of its centre of mass and rotation (ω̇, global) are zero.
 struct Placed {
     Vec3 c = Vec3::Zero();  ///< centre of mass [m]
     Vec4 p = Vec4::Unit(0);
@@ -19,7 +19,7 @@ struct Placed {
 };
 using PlacedBodies = std::vector<Placed>;
 
-/// Generalised force: what a unit of λ does to the bodies of an equation, body by body.
+/// Generalised force of a unit of λ on one body of an equation.
 struct Pull {
     int body = 0;
     Vec3 force = Vec3::Zero();   ///< factor of the velocity of the centre of mass

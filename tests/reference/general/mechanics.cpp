@@ -12,8 +12,8 @@ Real law(const std::optional<FormulaTree>& f, Real value, Real rate) {
 }
 
 constexpr Eigen::Index kPerBody = 13;
-// pivots of unit rows: those that repeat others leave rounding of the double numbers of a lesson, 1e-15;
-// scenes that are near-singular on purpose stay above 1e-7
+// pivots of unit rows: redundant ones leave rounding of the double numbers of a lesson, 1e-15; scenes that
+// are near-singular on purpose stay above 1e-7
 constexpr Real kRepeats = 1e-10L;
 
 Vec4 turned(const Vec4& p, const Vec3& turn) {
@@ -173,7 +173,7 @@ void Mechanics::displace(VecX& y, const VecX& z) const {
     }
 }
 
-/// Adds S⁻ᵀ z to the velocities, or writes of it what stands there for accelerations.
+/// Adds S⁻ᵀ z to the velocities in y, or to the accelerations where y is a rate.
 void Mechanics::accelerate(VecX& y, const VecX& z) const {
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         const auto b = static_cast<std::size_t>(moving_[m]);
@@ -280,7 +280,7 @@ void Mechanics::derivative(const VecX& y, VecX& y_dot) {
 }
 
 void Mechanics::project(VecX& y) {
-    // Newton doubles the digits; what steps and doubles leave, 1e-16, is gone after one or two
+    // Newton doubles the digits: the errors of steps and of doubles, 1e-16, are gone after one or two
     constexpr int most = 12;
     for (int iteration = 0; iteration < most; ++iteration) {
         set_state(y);
@@ -344,12 +344,12 @@ Accelerations Mechanics::accelerations_at(const VecX& y) {
     if (!all_.empty()) {
         const VecX second = values(all_, &Taylor::second);
         const VecX off = all.rows * z + second;
-        // where nothing moves, rounding is no contradiction
+        // where nothing moves, rounding is not a contradiction
         const Real least = z.norm() + 1e-9L;
         for (Eigen::Index k = 0; k < off.size(); ++k) {
             const Real size = all.rows.row(k).norm() * least + std::abs(second(k));
             const Real here = std::abs(off(k)) / size;
-            // not a number contradicts everything
+            // NaN counts as a contradiction
             if (!(here <= out.contradiction)) { out.contradiction = here; }
         }
     }

@@ -14,9 +14,9 @@
 /// @source Udwadia & Kalaba, A new perspective on constrained motion, Proc. R. Soc. A 439 (1992)
 namespace jw::reference::general {
 
-/// Linear equations of all constraints at a state and what they say of each other.
+/// Linear equations of all constraints at a state, and which of them are independent.
 struct Rows {
-    MatX rows;              ///< Φq S⁻ᵀ, each made unit
+    MatX rows;              ///< Φq S⁻ᵀ, each scaled to length 1
     VecX scale;             ///< length before
     std::vector<int> kept;  ///< independent ones, in the order of their pivots
     Real condition = 1.0L;  ///< of the kept ones: largest over smallest pivot
@@ -26,9 +26,9 @@ struct Rows {
 struct Accelerations {
     std::vector<Vec3> v_dot;           ///< of the centres of mass, one per body [m/s²]
     std::vector<Vec3> omega_dot;       ///< global
-    std::vector<Vec3> free_v_dot;      ///< what they would be without constraints: errors are measured by it
+    std::vector<Vec3> free_v_dot;      ///< without constraints: errors are relative to it
     std::vector<Vec3> free_omega_dot;  ///< global
-    /// Largest residual of an equation that was not kept, by its length: what the state contradicts itself.
+    /// Largest residual of a row that was not kept, divided by its length: how much the rows contradict.
     Real contradiction = 0.0L;
     Real condition = 1.0L;
     int rank = 0;
@@ -44,15 +44,15 @@ public:
     void project(VecX& y) override;
     Sample sample(const VecX& y) override;
 
-    /// State with everything said: positions and velocities as given.
+    /// State with the positions and velocities as given.
     VecX state_of(const PlacedBodies& bodies, Real t) const;
     const PlacedBodies& bodies_at(const VecX& y);
     Rows rows_at(const VecX& y);
     int rank_at(const VecX& y);
     Accelerations accelerations_at(const VecX& y);
-    /// Only velocities: the nearest in the metric of M. @return largest residual left, by the row's length
+    /// Projects only velocities, in the metric of M. @return largest residual left, by the row's length
     Real project_velocities(VecX& y);
-    /// Largest |Φ| and |Φ̇|, each by the length of its row.
+    /// Largest |Φ| and |Φ̇|, each divided by the length of its row.
     std::pair<Real, Real> violation_at(const VecX& y);
     /// [J]
     Real kinetic_energy(const VecX& y);
@@ -82,7 +82,7 @@ private:
 
     Model model_;
     std::vector<int> moving_;
-    std::vector<int> place_;  ///< of a body among the moving ones, -1
+    std::vector<int> place_;  ///< index of a body among the moving ones, or -1
     std::vector<Mat3> cholesky_;
     std::vector<int> all_;
     std::vector<int> kept_;

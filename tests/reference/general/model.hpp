@@ -11,7 +11,7 @@
 /// joint is the list of its equations; nothing here knows joint types.
 namespace jw::reference::general {
 
-/// Its frame as the author gave it.
+/// A body; its frame is the one that the author gave.
 struct Body {
     bool fixed = false;
     Real mass = 1.0L;            ///< [kg]
@@ -46,7 +46,7 @@ struct Table {
     std::vector<double> times;
     std::vector<double> values;
 };
-/// A number, "variable", or an operation with what it is done to: "+", "sin", "power", ...
+/// A number, "variable", or an operation with its operands: "+", "sin", "power", ...
 struct FormulaTree {
     std::string operation;
     Real number = 0.0L;  ///< also the index of a variable, and the exponent of a power
@@ -60,7 +60,7 @@ struct TimeFunction {
     std::vector<FormulaTree> formulas;
 };
 
-// what is measured; an equation says that it equals a number or a function of time
+// measures; an equation sets a measure equal to a number or a function of time
 
 /// a · b of two directions.
 struct Product {
@@ -108,7 +108,7 @@ struct Coordinate {
     int body = 0;
     int number = 0;
 };
-/// The angle of a nut, with the turns that its way along the thread tells.
+/// The angle of a nut; its displacement along the thread gives the number of whole turns.
 struct ThreadAngle {
     Angle angle;
     Along along;          ///< its direction is unit
@@ -187,7 +187,7 @@ struct Equation {
     TimeFunction target;
     bool squared = false;  ///< the target is the square of the function
     bool turns = false;    ///< compared up to whole turns
-    int of = 0;            ///< joint or driver that it belongs to, for those who look them up
+    int of = 0;            ///< joint or driver that it belongs to, for look-ups
 };
 
 struct Force {
@@ -201,7 +201,7 @@ struct Torque {
     Vec3 direction = Vec3::Zero();
     bool local = false;
     TimeFunction magnitude;
-    int against = -1;  ///< body that the opposite one acts on
+    int against = -1;  ///< body that the opposite torque acts on
 };
 /// size v / √(v² + speed²) against a rate v.
 struct Friction {

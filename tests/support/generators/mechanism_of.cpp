@@ -43,7 +43,7 @@ public:
 private:
     Mechanism& mechanism() { return out_.mechanism; }
     int bodies() const { return static_cast<int>(out_.mechanism.bodies.size()); }
-    /// No two bodies that anything could be put between.
+    /// True if there are no two bodies between which anything could be put.
     bool is_alone() const { return bodies() < (out_.recipe.afloat ? 3 : 2); }
     /// The body that `number` points at, the ground only where something may hang from it.
     int body_of(int number) const {
@@ -123,7 +123,7 @@ private:
             if (role == Role::same_point && out_.recipe.afloat) { continue; }
             for (int k = 0; k < traits_of(role).independent; ++k) { all.push_back({role, k}); }
         }
-        // the last one stays
+        // the last equation stays
         if (all.size() < 2) { return; }
         joint.without.push_back(all[static_cast<std::size_t>(number) % all.size()]);
     }
@@ -312,7 +312,7 @@ private:
     bool set_motion() {
         general::Mechanics mechanics(model_of(mechanism(), out_.loads));
         reference::VecX y = mechanics.start();
-        // an equation that repeats others must be met by the velocities that the others leave
+        // a redundant equation must be satisfied by the velocities that the others leave
         if (mechanics.project_velocities(y) > kContradicts) { return false; }
         const general::Accelerations a = mechanics.accelerations_at(y);
         if (!(a.contradiction < kContradicts)) { return false; }

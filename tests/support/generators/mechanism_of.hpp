@@ -21,11 +21,10 @@ struct Generated {
     int left_out = 0;        ///< parts of the recipe that could not be taken
 };
 
-/// Bodies are put anywhere; what joints and drivers need is read off that pose, so that loops close whatever
-/// they are made of. Velocities are the random ones nearest, in the metric of M, to what the constraints
-/// allow, found by the reference solver. A joint or driver that would contradict the others is left out.
-/// @return nothing where the start is singular: equations that repeat others there ask for another
-/// acceleration
+/// Mechanism of a recipe. Bodies are put anywhere; joints and drivers are fitted to that pose, so that every
+/// loop closes. Velocities are those nearest to random ones, in the metric of M, that the constraints allow,
+/// found by the reference solver. A joint or driver that would contradict the others is left out.
+/// @return nothing where the start is singular: redundant equations there require another acceleration
 std::optional<Generated> mechanism_of(const Recipe& recipe);
 
 }  // namespace jw::test

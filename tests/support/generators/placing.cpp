@@ -129,7 +129,7 @@ Body Placing::body(const std::string& name, int seed) const {
     return body;
 }
 
-/// Near the line of the scene, or anywhere about it; in the plane of a planar one.
+/// Point near the line of the scene, or anywhere about it; in the plane if the scene is planar.
 Vec3 Placing::point(Random& random) const {
     const double reach = random.number(-1.0, 1.0);
     Vec3 off = random.vector(beside_);
@@ -205,7 +205,7 @@ Joint Placing::joint(
         P_j = point(random);
     }
     if (type.name == "bevel-gear") { s_j = (side + random.number(-1.0, 1.0) * s_i).normalized(); }
-    // across the link, too
+    // perpendicular to the link, too
     if (type.uses(Role::distance_perpendicular_j)) { s_j = s_i.cross(side); }
     g.P_i_local = local_point(body_i, P_i);
     g.P_j_local = local_point(body_j, P_j);

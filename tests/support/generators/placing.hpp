@@ -12,7 +12,7 @@ public:
     explicit Placing(const Recipe& recipe);
 
     Body ground() const;
-    /// Its start velocity is random and asks for nothing yet.
+    /// A moving body, whose random start velocity does not satisfy constraints yet.
     Body body(const std::string& name, int seed) const;
     /// A joint between two bodies that holds where they are.
     Joint joint(const Mechanism& mechanism, const JointType& type, int i, int j, int form, int seed) const;

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-/// A recipe of a mechanism: small numbers only, every combination of them is one. `mechanism_of` cooks it.
-/// Recipes of generated mechanisms. A failing one is made smaller by leaving out parts of its recipe: numbers
+/// Recipes of generated mechanisms: small numbers only, of which every combination is a recipe.
+/// `mechanism_of` builds the mechanism. A failing recipe is made smaller by leaving out parts of it: numbers
 /// that point at a body or a joint do so modulo the number of those.
 namespace jw::test {
 
@@ -33,7 +33,7 @@ struct JointRecipe {
     int i = 0;
     int j = 0;
     int form = 0;
-    bool repeats = false;  ///< taken even where it says nothing new
+    bool repeats = false;  ///< taken even if it is redundant
     int without = 0;       ///< > 0: so-many-th equation is taken out by hand, where the form allows it
     int seed = 0;
 };

@@ -33,7 +33,7 @@ general::TimeFunction real(const TimeFunction& f) {
     return out;
 }
 
-/// Writes the equations of a joint down, those left out that are taken out by hand.
+/// Writes the equations of a joint, without those that are taken out by hand.
 class JointWriter {
 public:
     JointWriter(const Joint& joint, int of)
@@ -114,9 +114,9 @@ private:
         equation.of = of_;
         out_.push_back(equation);
     }
-    /// The rule keeps two of three, the pair says the same by two others, all three say it once more than
-    /// needed: one and the same constraint, here always the pair. What a form drops by hand is dropped here
-    /// too.
+    /// All forms state the same constraint: the rule keeps two of three equations, the pair has two others,
+    /// and all three have one more than needed. Here it is always the pair. What a form drops by hand is
+    /// dropped here, too.
     template <class Component, class Across>
     void parallel(Role role, const Component& component, const Across& across) {
         const ParallelForm form = joint_.parallel_form;
@@ -164,8 +164,7 @@ general::ThreadAngle thread_of(const Joint& joint) {
         g.theta_0};
 }
 
-/// The artificial θ is what its angle says and the turns that the advance counts: one equation is left of
-/// two.
+/// The artificial θ is its angle plus the turns that the advance counts: one equation is left of two.
 void JointWriter::thread() {
     general::Equation equation;
     equation.measure = general::Thread{thread_of(joint_)};

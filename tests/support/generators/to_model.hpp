@@ -7,7 +7,7 @@
 /// out here from the slides; core's table of roles has no part in it.
 namespace jw::test {
 
-/// @throws std::invalid_argument for what a joint type or a form means that is not known here
+/// @throws std::invalid_argument for a joint type or a form that is not known here
 reference::general::Model model_of(const Mechanism& mechanism, const Loads& loads);
 
 /// Equations of one joint, in the order of its type; `of` is its index.

@@ -15,7 +15,7 @@
 
 namespace jw::exercises::test {
 
-/// Without bubblewrap nothing is run, which has a test of its own; the others have nothing to check then.
+/// True without bubblewrap: no program is run then, which has a test of its own; all others are skipped.
 inline bool no_sandbox_here() {
     const SandboxAvailability& here = sandbox_availability();
     if (!here.available) { WARN("not tested: " << here.reason); }
@@ -46,7 +46,7 @@ private:
     std::filesystem::path path_;
 };
 
-/// Small enough that a test of a limit does not take long on a busy machine.
+/// Limits so small that a test of one does not take long on a busy machine.
 inline SandboxLimits short_limits() {
     SandboxLimits limits;
     limits.wall_seconds = 6.0;
@@ -55,8 +55,8 @@ inline SandboxLimits short_limits() {
     return limits;
 }
 
-/// A Python program in the sandbox, from any thread: it says nothing to the test, since Catch2 is not made
-/// for that.
+/// Runs a Python program in the sandbox, from any thread: it reports nothing to Catch2, which is not
+/// made for that.
 inline SandboxResult silent_python(
     const std::string& source, const std::string& input = {}, const SandboxLimits& limits = short_limits()) {
     SandboxJob job;
@@ -67,8 +67,8 @@ inline SandboxResult silent_python(
     return run_in_sandbox(job);
 }
 
-/// A Python program in the sandbox, with its result printed where a check fails; from the test's own thread
-/// only.
+/// Runs a Python program in the sandbox; prints its result where a check fails. Only for the own
+/// thread of the test.
 inline SandboxResult python(
     const std::string& source, const std::string& input = {}, const SandboxLimits& limits = short_limits()) {
     SandboxResult result = silent_python(source, input, limits);
@@ -80,13 +80,12 @@ inline SandboxResult python(
     return result;
 }
 
-/// How many processes of this machine have a word in their command line.
+/// Number of processes of this machine that have a word in their command line.
 inline int processes_with(const std::string& word) {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
         std::ifstream in(entry.path() / "cmdline");
-        // a process that ends meanwhile cannot be read: the stream keeps that to itself, an iterator would
-        // throw
+        // a process that ends meanwhile cannot be read: the stream ignores that, an iterator would throw
         std::ostringstream line;
         line << in.rdbuf();
         if (line.str().find(word) != std::string::npos) { ++count; }

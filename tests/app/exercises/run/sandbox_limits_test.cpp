@@ -23,7 +23,7 @@ TEST_CASE("A program that computes for ever is stopped", "[run]") {
     CHECK(result.timed_out);
     CHECK_FALSE(result.succeeded());
     CHECK(result.wall_seconds < kSoon);
-    CHECK(result.err.empty());  // no words of a shell
+    CHECK(result.err.empty());  // no message of a shell
 }
 
 TEST_CASE("A program that sleeps or halts itself is stopped by the clock", "[run]") {
@@ -69,8 +69,7 @@ while True:
     CHECK(result.timed_out);
     CHECK(result.wall_seconds < kSoon);
     CHECK(std::atoi(result.out.c_str()) > 1);
-    CHECK(
-        std::atoi(result.out.c_str()) <= short_limits().processes + 1);  // 1: the shell that counts with them
+    CHECK(std::atoi(result.out.c_str()) <= short_limits().processes + 1);  // 1: the shell is counted, too
     CHECK(processes_with(mark) == 0);
 }
 
@@ -90,7 +89,7 @@ while True:
     except OSError: pass)",
         {}, limits);
     CHECK(result.timed_out);
-    CHECK(result.wall_seconds < 50.0);  // by computing, not by the clock
+    CHECK(result.wall_seconds < 50.0);  // stopped by CPU time, not by the clock
 }
 
 TEST_CASE("A gigabyte of output is stopped at the limit and takes no memory", "[run]") {

@@ -149,7 +149,7 @@ TEST_CASE("A run leaves no open file and no child behind", "[run]") {
     CHECK(::waitpid(-1, nullptr, WNOHANG) == -1);
 }
 
-TEST_CASE("Where there is no sandbox a program is not run, and the reason is said", "[run]") {
+TEST_CASE("Without a sandbox no program is run, and the reason is printed", "[run]") {
     const Scratch folder;
     const SandboxAvailability missing = try_sandbox(folder / "bwrap");
     CHECK_FALSE(missing.available);

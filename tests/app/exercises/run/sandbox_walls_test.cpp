@@ -35,7 +35,7 @@ struct Listener {
     }
 };
 
-/// Each expression of Python is tried; what succeeds is printed.
+/// Python program that tries each expression and prints those that succeed.
 std::string tries(const std::vector<std::string>& expressions) {
     std::string source = "import os, socket, ctypes, shutil\nlibc = ctypes.CDLL(None)\n";
     for (const std::string& expression : expressions) {
@@ -136,7 +136,7 @@ print(open('/proc/self/mountinfo').read()))");
     CHECK(result.out.find(folder.path()) == std::string::npos);
 }
 
-TEST_CASE("A program is nobody, and cannot become somebody", "[run]") {
+TEST_CASE("A program runs without privileges and cannot gain any", "[run]") {
     if (no_sandbox_here()) { return; }
     const SandboxResult result = python(tries(
         {"os.setuid(0)", "os.setgid(0)", "os.setgroups([0])", "os.chroot('/tmp')", "os.nice(-5)",
@@ -158,7 +158,7 @@ TEST_CASE("Signals of a program reach nobody but its own processes", "[run]") {
     const std::string ours = std::to_string(::getpid());
     const SandboxResult others = python(tries({"os.kill(-1, 9)", "os.kill(" + ours + ", 9)"}));
     CHECK(others.out == "end\n");
-    // the first process of the sandbox, which would take all others with it
+    // the first process of the sandbox: if it ended, all others would end, too
     const SandboxResult first = python("import os\nfor s in (1, 9, 15, 19): os.kill(1, s)\nprint('end')");
     CHECK(first.out == "end\n");
     CHECK(first.succeeded());

@@ -42,7 +42,7 @@ TEST_CASE("What is not a regular file is refused", "[run]") {
     fs::create_symlink("nowhere", folder / "broken.py");
     fs::create_directory(folder / "folder.py");
     REQUIRE(::mkfifo((folder / "pipe.py").c_str(), 0644) == 0);
-    // only root can make one, and not everywhere
+    // only root can make a device, and not everywhere
     const bool has_device = ::mknod((folder / "device.py").c_str(), S_IFCHR | 0644, makedev(1, 5)) == 0;
     for (const std::string name : {"link", "zero", "broken", "folder", "pipe", "device"}) {
         if (name == "device" && !has_device) { continue; }
