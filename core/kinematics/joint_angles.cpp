@@ -18,10 +18,10 @@ int whole_turns(double angle) {
     return std::abs(angle) < kMostCounted ? static_cast<int>(std::round(angle / kTurn)) : 0;
 }
 
-/// Bound of the error of an angle that is predicted by the mean rate between two poses, whether its rate
+/// Bound of the error of angle `k` that is predicted by the mean rate between two poses, whether its rate
 /// changes evenly or suddenly [rad].
-Eigen::ArrayXd left_open(const HermitePolynomial::Node& from, const HermitePolynomial::Node& to) {
-    return 0.5 * std::abs(to.t - from.t) * (to.known.col(1) - from.known.col(1)).abs();
+double left_open(const HermitePolynomial::Node& from, const HermitePolynomial::Node& to, Eigen::Index k) {
+    return 0.5 * std::abs(to.t - from.t) * std::abs(to.known(k, 1) - from.known(k, 1));
 }
 // if the bound is smaller, accelerations are not used: near singular poses they can be arbitrary
 constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
@@ -36,20 +36,28 @@ FollowedAngles::FollowedAngles(const Mechanism& mechanism) : mechanism_(&mechani
     }
 }
 
-FollowedAngles::Node FollowedAngles::node_at(
-    double t, const State& state, const Motion& velocity, const Motion& acceleration) const {
-    Node node{t, Eigen::ArrayX3d(static_cast<Eigen::Index>(joints_.size()), 3)};
+void FollowedAngles::add_node(
+    double t, const State& state, const Motion& velocity, const Motion& acceleration) {
+    // the storage of the earliest pose is used again
+    if (latest_.size() == HermitePolynomial::kMostNodes) {
+        std::ranges::rotate(latest_, latest_.begin() + 1);
+    } else {
+        latest_.emplace_back();
+    }
+    Node& node = latest_.back();
+    node.t = t;
+    node.known.resize(static_cast<Eigen::Index>(joints_.size()), 3);
     for (std::size_t k = 0; k < joints_.size(); ++k) {
         const Joint& joint = mechanism_->joints[at(joints_[k])];
         node.known.row(static_cast<Eigen::Index>(k)) << relative_angle(joint, state),
             angle_rate(joint, state, velocity),
             0.5 * angle_acceleration(joint, state, velocity, acceleration);
     }
-    return node;
 }
 
 void FollowedAngles::begin(double t, const State& state, const Motion& velocity, const Motion& acceleration) {
-    latest_.assign(1, node_at(t, state, velocity, acceleration));
+    latest_.clear();
+    add_node(t, state, velocity, acceleration);
     Eigen::ArrayXd expected = latest_.back().known.col(0);
     for (const Driver& driver : mechanism_->drivers) {
         const auto k = std::ranges::find(joints_, driver.joint) - joints_.begin();
@@ -57,13 +65,14 @@ void FollowedAngles::begin(double t, const State& state, const Motion& velocity,
         if (is_angle && k < std::ssize(joints_)) { expected(k) = driver.function.at(t).f; }
     }
     turns_.assign(mechanism_->joints.size(), 0);
-    take_turns(expected, latest_.back());
+    take_turns([&](Eigen::Index k) { return expected(k); });
 }
 
-/// Adds the whole turns that bring the angles of a pose nearest to the expected ones.
-void FollowedAngles::take_turns(const Eigen::ArrayXd& expected, Node& node) {
+/// Adds the whole turns that bring the angles of the last pose nearest to `expected(k)`.
+template <class F>
+void FollowedAngles::take_turns(F&& expected) {
     for (std::size_t k = 0; k < joints_.size(); ++k) {
-        double& angle = node.known(static_cast<Eigen::Index>(k), 0);
+        double& angle = latest_.back().known(static_cast<Eigen::Index>(k), 0);
         const int turns = whole_turns(expected(static_cast<Eigen::Index>(k)) - angle);
         turns_[at(joints_[k])] = turns;
         angle += kTurn * turns;
@@ -71,15 +80,16 @@ void FollowedAngles::take_turns(const Eigen::ArrayXd& expected, Node& node) {
 }
 
 void FollowedAngles::reach(double t, const State& state, const Motion& velocity, const Motion& acceleration) {
-    const Node& before = latest_.back();
-    Node node = node_at(t, state, velocity, acceleration);
+    add_node(t, state, velocity, acceleration);
+    const Node& before = latest_.end()[-2];
+    const Node& node = latest_.back();
     const double h = t - before.t;
-    const Eigen::ArrayXd by_rates = before.known.col(0) + 0.5 * h * (before.known.col(1) + node.known.col(1));
-    // the corrected trapezoidal rule: exact for polynomials of degree four
-    const Eigen::ArrayXd correction = h * h / 6.0 * (before.known.col(2) - node.known.col(2));
-    take_turns(by_rates + (left_open(before, node) > kQuarterTurn).select(correction, 0.0), node);
-    if (latest_.size() == HermitePolynomial::kMostNodes) { latest_.erase(latest_.begin()); }
-    latest_.push_back(std::move(node));
+    take_turns([&](Eigen::Index k) {
+        const double by_rates = before.known(k, 0) + 0.5 * h * (before.known(k, 1) + node.known(k, 1));
+        // the corrected trapezoidal rule: exact for polynomials of degree four
+        const double correction = h * h / 6.0 * (before.known(k, 2) - node.known(k, 2));
+        return left_open(before, node, k) > kQuarterTurn ? by_rates + correction : by_rates;
+    });
 }
 
 std::vector<int> FollowedAngles::turns_at(double t, const State& state) const {
@@ -88,7 +98,10 @@ std::vector<int> FollowedAngles::turns_at(double t, const State& state) const {
     Eigen::ArrayXd expected = after->known.col(0);
     if (after->t > t && after != latest_.begin()) {
         HermitePolynomial between;
-        const bool asks_rates = (left_open(*(after - 1), *after) <= kQuarterTurn).all();
+        bool asks_rates = true;
+        for (Eigen::Index k = 0; k < std::ssize(joints_); ++k) {
+            asks_rates = asks_rates && left_open(*(after - 1), *after, k) <= kQuarterTurn;
+        }
         between.fit(
             std::span(&*(after - 1), 2), asks_rates ? HermitePolynomial::Meets::values_and_rates
                                                     : HermitePolynomial::Meets::second_derivatives_too);

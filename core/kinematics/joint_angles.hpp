@@ -30,8 +30,9 @@ public:
 private:
     using Node = HermitePolynomial::Node;
 
-    Node node_at(double t, const State& state, const Motion& velocity, const Motion& acceleration) const;
-    void take_turns(const Eigen::ArrayXd& expected, Node& node);
+    void add_node(double t, const State& state, const Motion& velocity, const Motion& acceleration);
+    template <class F>
+    void take_turns(F&& expected);
 
     const Mechanism* mechanism_;
     std::vector<int> joints_;   ///< joints that have an angle

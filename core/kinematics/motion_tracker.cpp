@@ -181,8 +181,11 @@ MotionTracker::Quick MotionTracker::try_quick_step(double h) {
     reached_ = frame_;
     reached_.t = frame_.t + h;
     quick_->write(reached_.state, reached_.velocity, reached_.acceleration);
-    if (find_wrong_branch(*system_, reached_.state, sides_) ||
-        !is_proved(frame_, path_velocity_, reached_, reached_.velocity)) {
+    // a proof of all bodies keeps the branch
+    const auto is_on_branch = [&] {
+        return proof_.covers_all() || !find_wrong_branch(*system_, reached_.state, sides_);
+    };
+    if (!is_proved(frame_, path_velocity_, reached_, reached_.velocity) || !is_on_branch()) {
         quick_->retreat();
         return Quick::rejected;
     }

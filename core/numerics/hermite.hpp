@@ -29,9 +29,8 @@ public:
 private:
     // Newton's form; every node is repeated for each known derivative
     std::array<double, 3 * kMostNodes> x_{};
-    Eigen::Index size_ = 0;
+    std::size_t size_ = 0;
     Eigen::ArrayXXd coefficients_;
-    Eigen::ArrayXXd differences_;
     Eigen::ArrayX2d value_and_rate_;
 };
 

@@ -111,6 +111,8 @@ bool StepProof::decides_at(const PathEnd& pose) {
     return decided;
 }
 
+bool StepProof::covers_all() const { return parts_->are_divided && parts_->not_proved.empty(); }
+
 double StepProof::margin() const { return parts_->margin; }
 
 double StepProof::margin_nearby() const {

@@ -49,6 +49,8 @@ public:
     /// True if the step is proved; if it is not, a shorter one may be. Near a singular pose, none can be: see
     /// decides_at.
     bool holds(const PathEnd& from, const PathEnd& to);
+    /// True if the last `holds` is about all bodies: no part is too large, or left free.
+    bool covers_all() const;
     /// False if rounding hides the branch: no step from this pose can be proved, however short.
     bool decides_at(const PathEnd& pose);
     /// 1 / |M| at the pose of the last query, for the part nearest to a singular pose: proportional to the
