@@ -59,12 +59,8 @@ double size_of(const FormulaStep& step, double value, double a, double size_a, d
         case Kind::arc_tangent: return std::abs(value) + size_a;
         default: break;
     }
-    if (a == 0.0 && operands_of(step.kind) == 1) {
-        const double slope = formula_steps::result_of(step, Taylor<double, 2>::variable(a)).c[1];
-        return std::max(std::abs(value), std::abs(slope) * size_a);
-    }
-    // the ratio of size to value is that of the operand, but at least 1
-    return a != 0.0 ? std::abs(value) * std::max(1.0, size_a / std::abs(a)) : std::abs(value);
+    const double slope = formula_steps::result_of(step, Taylor<double, 2>::variable(a)).c[1];
+    return std::max(std::abs(value), std::abs(slope) * size_a);
 }
 
 /// Simpson's rule on parts of length h: its error is at most h^5 / 2880 times the fourth derivative.
