@@ -43,6 +43,7 @@ void HermitePolynomial::fit(std::span<const Node> nodes, Meets meets) {
             return coefficients_.col(static_cast<Eigen::Index>(k)).template segment<count>(row);
         };
         std::array<Eigen::Array<double, count, 1>, 3 * kMostNodes> difference;
+        difference.fill(Eigen::Array<double, count, 1>::Zero());
         for (std::size_t k = 0; k < size_; ++k) { difference[k] = known(k, 0); }
         coefficient(0) = difference[0];
         for (std::size_t order = 1; order < size_; ++order) {

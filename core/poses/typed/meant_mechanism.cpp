@@ -116,7 +116,8 @@ void Judgement::judge(const Mechanism& posed, const ClosedPart& part) {
 std::optional<MeantMechanism> Judgement::result() const {
     if (found_.empty()) { return std::nullopt; }
     Mechanism meant = mechanism_;
-    TypedVerdict whole{.is_told = true};
+    TypedVerdict whole;
+    whole.is_told = true;
     int lost = 0;
     int lost_told = 0;
     VectorX effects = VectorX::Zero(static_cast<Eigen::Index>(numbers_.size()));
