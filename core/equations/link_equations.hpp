@@ -111,9 +111,10 @@ Vec3 d_local_of(const CurveFollowed& c, const BodyKinematics<C>& i, const BodyKi
 }
 
 /// The rows of a point on a curve, along directions that follow the curve without turning about it: neither
-/// depends on θ to first order, on the curve or beside it.
+/// depends on θ to first order, on the curve or beside it. Few scenes have them, so they are not inlined.
 template <Content K, class C>
-auto rows_of(const CurveFollowed& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, double t) {
+[[gnu::noinline]] auto rows_of(
+    const CurveFollowed& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, double t) {
     const Curve::Point at_u = c.curve.at(c.parameter(d_local_of(c, i, j), t));
     const Vec3 tangent = at_u.c_u.normalized();
     const Vec3 a = c.side_at(tangent);

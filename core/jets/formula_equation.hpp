@@ -152,7 +152,7 @@ void visit_vector(
 }  // namespace detail
 
 template <Content K, class C>
-auto equations(
+Jet<C, K, 1, formula_steps::kBoth> equations(
     const FormulaEquation& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j,
     const ThetaOf<C>& /*theta*/) {
     using Number = formula_steps::JetNumber<C, K>;

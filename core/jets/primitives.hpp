@@ -3,8 +3,7 @@
 #include <numbers>
 #include <variant>
 
-#include "core/jets/formula_equation.hpp"
-#include "core/jets/wheels_and_curves.hpp"
+#include "core/jets/rare_equations.hpp"
 
 /// The primitive constraints: each is its data and one line. Value, Jacobian in every coordinate choice
 /// and γ follow from the line (vector_jet.hpp).

@@ -80,7 +80,7 @@ struct OnCurve {
 };
 
 template <Content K, class C>
-auto equations(
+Jet<C, K, 1, kBodyI | kBodyJ | kTheta> equations(
     const OnCurve& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& theta) {
     const auto u = artificial<C, K>(theta);
     auto phi = dot(arm<K, kBodyI>(i, c.e_i_local), vector_between<K>(i, c.P_i_local, j, c.P_j_local)) -
@@ -112,7 +112,7 @@ auto visit_wheel(const Wheel& c, const BodyKinematics<C>& i, const BodyKinematic
 }
 
 template <Content K, class C>
-auto equations(
+Jet<C, K, 1, kBodyI | kBodyJ | kTheta> equations(
     const Wheel& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& theta) {
     const auto t = scaled(c.ratio, artificial<C, K>(theta));
     const auto row = [&](const auto& sine, const auto& cosine) {
@@ -123,7 +123,7 @@ auto equations(
 
 /// Angle from the line of a wheel to its u in (-π, π] [rad].
 template <Content K, class C>
-auto measured(
+Jet<C, K, 1, kBodyI | kBodyJ> measured(
     const Wheel& c, const BodyKinematics<C>& i, const BodyKinematics<C>& j, const ThetaOf<C>& /*theta*/) {
     const auto angle = [](const auto& sine, const auto& cosine) { return atan2(sine, cosine); };
     return visit_wheel<K>(c, i, j, angle);

@@ -158,8 +158,8 @@ void BlockEquations<B>::set_lambda(const std::vector<double>& numbers) {
 
 template <int B>
 RowsVerdict BlockEquations<B>::evaluate(double t, const double* y, double* y_dot) {
-    set_bodies<true>(y);
-    evaluate_links<true>(t);
+    set_bodies(Content::motion, y);
+    evaluate_links(Content::motion, t);
     factor_in_metric();
     evaluate_forces(t, y);
     const double pivot = smallest_pivot();
@@ -170,8 +170,8 @@ RowsVerdict BlockEquations<B>::evaluate(double t, const double* y, double* y_dot
 
 template <int B>
 RowsVerdict BlockEquations<B>::evaluate_driven(double t, const double* y, double* y_dot) {
-    set_bodies<true>(y);
-    evaluate_links<true>(t);
+    set_bodies(Content::motion, y);
+    evaluate_links(Content::motion, t);
     std::ranges::fill(six_, 0.0);
     constrain_accelerations(1);
     meet(gamma_, size_of_six());

@@ -19,8 +19,8 @@ template <int B>
 bool BlockEquations<B>::free_motion(
     double t, const double* y, std::span<const double> drawn, std::span<ProbedBody> bodies) {
     const bool anything_is_free = rows() - rows_left_out() < velocities();
-    set_bodies<false>(y);
-    evaluate_links<false>(t);
+    set_bodies(Content::jacobian, y);
+    evaluate_links(Content::jacobian, t);
     factor_in_metric();
     for (std::size_t k = 0; k < drawn.size(); ++k) {
         // rotations of 1 rad and displacements of one extent
@@ -37,8 +37,8 @@ bool BlockEquations<B>::free_motion(
 
 template <int B>
 MatrixX BlockEquations<B>::free_motions(double t, const double* y) {
-    set_bodies<false>(y);
-    evaluate_links<false>(t);
+    set_bodies(Content::jacobian, y);
+    evaluate_links(Content::jacobian, t);
     const auto columns = static_cast<Eigen::Index>(6 * moving_.size());
     MatrixX jacobian = MatrixX::Zero(static_cast<Eigen::Index>(nodes_.size()) * B, columns);
     for_each_side([&](std::size_t n, int side, std::size_t moving) {

@@ -25,7 +25,7 @@ void BlockEquations<B>::compare_masses(double t) {
     }
     const double by_geometry = smallest_pivot();
     masses_apart_ = false;
-    evaluate_links<false>(t);
+    evaluate_links(Content::jacobian, t);
     factor_in_metric();
     masses_apart_ = smallest_pivot() < kDigitsAreLost * by_geometry;
 }

@@ -67,8 +67,8 @@ double BlockEquations<B>::project(double t, double* y) {
     double last = std::numeric_limits<double>::infinity();
     bool factored = false;
     for (int round = 0; round < kMostRounds; ++round) {
-        set_bodies<false>(y);
-        evaluate_links<false>(t);
+        set_bodies(Content::jacobian, y);
+        evaluate_links(Content::jacobian, t);
         const double worst = largest(phi_, true);
         if (round == 0) { before = worst; }
         if (is_at_rounding(worst, last)) { break; }
@@ -295,8 +295,8 @@ void BlockEquations<B>::measure_units() {
 template <int B>
 void BlockEquations<B>::look_at_all_rows(double t, const double* y) {
     for (Node& node : nodes_) { node.kept = (1U << node.link.rows) - 1U; }
-    set_bodies<false>(y);
-    evaluate_links<false>(t);
+    set_bodies(Content::jacobian, y);
+    evaluate_links(Content::jacobian, t);
     measure_units();
 }
 
@@ -334,7 +334,7 @@ void BlockEquations<B>::take_back_rows() {
 
 template <int B>
 std::pair<double, double> BlockEquations<B>::violation(double t, const double* y) {
-    set_bodies<true>(y);
+    set_bodies(Content::motion, y);
     double position = 0.0;
     double velocity = 0.0;
     for (std::size_t n = 0; n < nodes_.size(); ++n) {

@@ -47,14 +47,13 @@ LinkRows::LinkRows(const Centroidal& scene, std::vector<Link> links, const Baumg
     for (std::vector<double>* v : {&phi_, &nu_, &gamma_}) { v->assign(nodes_.size() * width_, 0.0); }
 }
 
-template <bool WithMotion>
-void LinkRows::set_bodies(const double* y) {
+void LinkRows::set_bodies(Content content, const double* y) {
     for (const MovingBody& moving : moving_) {
         Kinematics6& body = bodies_[at(moving.body)];
         body.r = vec3(y);
         body.p = vec4(y + 3);
         body.A = OmegaLocal::rotation(body.p);
-        if constexpr (WithMotion) {
+        if (content == Content::motion) {
             body.r_dot = vec3(y + 7);
             OmegaLocal::set_motion(body, vec3(y + 10));
         }
@@ -62,12 +61,9 @@ void LinkRows::set_bodies(const double* y) {
     }
 }
 
-template void LinkRows::set_bodies<false>(const double*);
-template void LinkRows::set_bodies<true>(const double*);
-
 void LinkRows::tell_turns_at(Turns turns, double t, const double* y) {
     if (!counts_turns_) { return; }
-    set_bodies<true>(y);
+    set_bodies(Content::motion, y);
     for (Node& node : nodes_) {
         for (LinkEquation& equation : node.link.equations) {
             tell_turns(
@@ -98,8 +94,7 @@ void LinkRows::write_jacobian(std::size_t n, const LinkEquation& equation, const
     }
 }
 
-template <bool WithMotion>
-void LinkRows::evaluate_links(double t) {
+void LinkRows::evaluate_links(Content content, double t) {
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         const Node& node = nodes_[n];
         const Kinematics6& i = bodies_[at(node.link.body_i)];
@@ -119,7 +114,7 @@ void LinkRows::evaluate_links(double t) {
                         nu_[row] = f_dot;
                     });
                 });
-            if constexpr (WithMotion) {
+            if (content == Content::motion) {
                 visit_rows<Content::motion>(
                     equation.primitive, i, j, t, [&](const auto& jet, double f_dot, double f_ddot) {
                         each_row(jet.kDim, [&](std::size_t row, int k) {
@@ -132,8 +127,5 @@ void LinkRows::evaluate_links(double t) {
         }
     }
 }
-
-template void LinkRows::evaluate_links<false>(double);
-template void LinkRows::evaluate_links<true>(double);
 
 }  // namespace jw

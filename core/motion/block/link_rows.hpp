@@ -38,12 +38,10 @@ protected:
 
     static bool has(unsigned rows, int row) { return ((rows >> row) & 1U) != 0; }
 
-    // the attribute must stand here: instantiations declared below would not get it from the definition
-    template <bool WithMotion>
-    JW_FLATTEN void set_bodies(const double* y);
-    /// Evaluates Φ, Φq and ν of every link, and γ with motion.
-    template <bool WithMotion>
-    JW_FLATTEN void evaluate_links(double t);
+    /// Sets the bodies' kinematics; for Content::motion, their velocities, too.
+    JW_FLATTEN void set_bodies(Content content, const double* y);
+    /// Evaluates Φ, Φq and ν of every link; for Content::motion, γ, too.
+    JW_FLATTEN void evaluate_links(Content content, double t);
     void tell_turns_at(Turns turns, double t, const double* y);
 
     std::size_t width_;  ///< B: places for the rows of a link
@@ -62,10 +60,5 @@ private:
     template <class Jet>
     void write_jacobian(std::size_t n, const LinkEquation& equation, const Jet& jet);
 };
-
-extern template void LinkRows::set_bodies<false>(const double*);
-extern template void LinkRows::set_bodies<true>(const double*);
-extern template void LinkRows::evaluate_links<false>(double);
-extern template void LinkRows::evaluate_links<true>(double);
 
 }  // namespace jw

@@ -1,0 +1,7 @@
+#include "core/jets/rare_equations.hpp"
+
+namespace jw {
+
+JW_RARE_EQUATIONS()
+
+}  // namespace jw
