@@ -2,9 +2,8 @@
 
 namespace Eigen {
 
-#define JW_CLASS_HERE(...) template class __VA_ARGS__;
-#define JW_FUNCTION_HERE(...) template __VA_ARGS__;
-JW_EIGEN_DECOMPOSITIONS(JW_CLASS_HERE, JW_FUNCTION_HERE)
+#define JW_COMPILED_HERE(...) template __VA_ARGS__;
+JW_EIGEN_DECOMPOSITIONS(JW_COMPILED_HERE)
 
 }  // namespace Eigen
 
