@@ -10,7 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kFolders{".ci", "app", "cmake", "core", "docs", "lessons", "library", "render", "tests"};
+constexpr std::array kReadFolders{".ci",     "app",     "cmake",  "core", "docs",
+                                  "lessons", "library", "render", "tests"};
 constexpr std::array kPictures{".png", ".jpg", ".svg"};
 
 void append(std::vector<SourceFile>& files, const fs::directory_entry& entry) {
@@ -27,7 +28,7 @@ std::vector<SourceFile> read_project() {
         // .git, a file in a second working tree of git, is not part of the project
         if (entry.path().filename() != ".git") { append(files, entry); }
     }
-    for (const char* folder : kFolders) {
+    for (const char* folder : kReadFolders) {
         const fs::path path = fs::path(JW_SOURCE_ROOT) / folder;
         if (!fs::exists(path)) { continue; }
         for (const auto& entry : fs::recursive_directory_iterator(path)) { append(files, entry); }

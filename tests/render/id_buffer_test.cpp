@@ -11,13 +11,13 @@
 namespace jw::render::test {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 180;
-const Rect kWhole{0.0, 0.0, kWidth, kHeight};
+constexpr int kColumns = 320;
+constexpr int kRows = 180;
+const Rect kWhole{0.0, 0.0, kColumns, kRows};
 
 /// Context, renderer and ids.
 struct Picker {
-    Offscreen offscreen{kWidth, kHeight, 1};
+    Offscreen offscreen{kColumns, kRows, 1};
     SceneRenderer renderer{offscreen.gl()};
     IdBuffer ids{offscreen.gl(), renderer.meshes()};
 
@@ -88,7 +88,7 @@ TEST_CASE("every body and vector is hit at its middle, with exactly its id", "[r
         std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8},
         std::vector<int>{255, 256, 257, 65535, 65536, 0x123456, 0xFEDCBA, kMostIds});
     const Rect viewport = GENERATE(
-        Rect{0.0, 0.0, kWidth, kHeight}, Rect{40.0, 20.0, 240.0, 130.0}, Rect{10.4, 7.6, 199.7, 111.2});
+        Rect{0.0, 0.0, kColumns, kRows}, Rect{40.0, 20.0, 240.0, 130.0}, Rect{10.4, 7.6, 199.7, 111.2});
     const Scene scene = row_of_things(ids);
     Camera camera = camera_for(scene, viewport);
     camera.orthographic = GENERATE(false, true);
@@ -106,8 +106,8 @@ TEST_CASE("no pixel has an id that is not in the scene", "[render][ids]") {
     Picker picker;
     picker.show(scene, camera_for(scene));
     std::set<int> found;
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) { found.insert(picker.ids.nearest_id(x, y, 0.0)); }
+    for (int y = 0; y < kRows; ++y) {
+        for (int x = 0; x < kColumns; ++x) { found.insert(picker.ids.nearest_id(x, y, 0.0)); }
     }
     std::set<int> expected(ids.begin(), ids.end());
     expected.insert(0);
@@ -223,8 +223,8 @@ TEST_CASE("ids cover exactly the pixels that bodies and vectors colour", "[rende
     picker.show(scene, camera);
     int covered = 0;
     int disagreeing = 0;
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kRows; ++y) {
+        for (int x = 0; x < kColumns; ++x) {
             const bool coloured = !std::equal(full.at(x, y), full.at(x, y) + 3, bare.at(x, y));
             const bool hit = picker.ids.nearest_id(x + 0.5, y + 0.5, 0.0) != 0;
             covered += hit ? 1 : 0;

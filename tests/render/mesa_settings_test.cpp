@@ -8,16 +8,16 @@
 namespace jw::render::test {
 namespace {
 
-constexpr const char* kWidth = "LP_NATIVE_VECTOR_WIDTH";
+constexpr const char* kRegisters = "LP_NATIVE_VECTOR_WIDTH";
 constexpr const char* kCache = "MESA_SHADER_CACHE_DISABLE";
 
 /// Switch of Mesa's cache as `settle_mesa` sets it; empty if it is not set.
 std::string cache_with_width(const char* width) {
     ::unsetenv(kCache);
-    ::setenv(kWidth, width, 1);
+    ::setenv(kRegisters, width, 1);
     settle_mesa();
     const char* const cache = std::getenv(kCache);
-    ::unsetenv(kWidth);
+    ::unsetenv(kRegisters);
     return cache == nullptr ? "" : cache;
 }
 
@@ -34,12 +34,12 @@ TEST_CASE("Mesa's cache is off exactly where a width of registers is chosen", "[
 
 TEST_CASE("a width of registers at which Mesa ends the program is refused and named", "[render][mesa]") {
     for (const char* width : {"0", "64", "512", "-1", "0x200"}) {
-        ::setenv(kWidth, width, 1);
+        ::setenv(kRegisters, width, 1);
         CHECK_THROWS_WITH(
             settle_mesa(), "Mesa cannot draw with LP_NATIVE_VECTOR_WIDTH=" + std::string(width) +
                                "; set it to 128 or 256, or unset it");
     }
-    ::unsetenv(kWidth);
+    ::unsetenv(kRegisters);
 }
 
 }  // namespace jw::render::test

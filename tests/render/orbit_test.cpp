@@ -11,7 +11,7 @@
 namespace jw::render::test {
 namespace {
 
-const Rect kViewport{40.0, 30.0, 600.0, 400.0};
+const Rect kWindow{40.0, 30.0, 600.0, 400.0};
 // pixels: coordinates of hundreds after some ten roundings of 1e-16, with room for eyes near a pole, where
 // results are divided by 1e-3 rad
 constexpr double kPixels = 1e-7;
@@ -42,7 +42,7 @@ void for_random_cameras(const Check& check) {
 }
 
 bool seen_at(const Camera& camera, const Vector3d& point, double x, double y) {
-    const Projected seen = project(camera, kViewport, point);
+    const Projected seen = project(camera, kWindow, point);
     return std::abs(seen.x - x) < kPixels && std::abs(seen.y - y) < kPixels;
 }
 
@@ -67,9 +67,9 @@ TEST_CASE("the near side of the scene follows the pointer that orbits", "[render
     for_random_cameras([](const Camera& camera, std::mt19937&) {
         if (std::abs(elevation(camera)) > 1.2) { return; }
         const Vector3d near_side = camera.target + 0.1 * (camera.eye - camera.target);
-        const Projected before = project(camera, kViewport, near_side);
-        CHECK(project(orbited(camera, 0.05, 0.0), kViewport, near_side).x > before.x + 0.3);
-        CHECK(project(orbited(camera, 0.0, 0.05), kViewport, near_side).y > before.y + 0.3);
+        const Projected before = project(camera, kWindow, near_side);
+        CHECK(project(orbited(camera, 0.05, 0.0), kWindow, near_side).x > before.x + 0.3);
+        CHECK(project(orbited(camera, 0.0, 0.05), kWindow, near_side).y > before.y + 0.3);
     });
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("panning moves the point at the target by the pointer's way", "[render
     for_random_cameras([](const Camera& camera, std::mt19937& random) {
         const double dx = uniform(random, -300.0, 300.0);
         const double dy = uniform(random, -200.0, 200.0);
-        const Camera moved = panned(camera, kViewport, dx, dy);
+        const Camera moved = panned(camera, kWindow, dx, dy);
         CHECK(seen_at(moved, camera.target, 340.0 + dx, 230.0 + dy));
         CHECK((moved.eye - moved.target - camera.eye + camera.target).norm() < 1e-12);
     });
@@ -108,10 +108,10 @@ TEST_CASE("zooming leaves the point under the pointer and magnifies around it", 
         const double x = uniform(random, 40.0, 640.0);
         const double y = uniform(random, 30.0, 430.0);
         const double factor = uniform(random, 0.5, 2.0);
-        const Vector3d under = point_at_depth(camera, kViewport, x, y, camera.target);
-        const Camera moved = zoomed(camera, kViewport, factor, x, y, camera.distance());
+        const Vector3d under = point_at_depth(camera, kWindow, x, y, camera.target);
+        const Camera moved = zoomed(camera, kWindow, factor, x, y, camera.distance());
         CHECK(seen_at(moved, under, x, y));
-        CHECK(pixel_size(moved, kViewport, under) * factor == Approx(pixel_size(camera, kViewport, under)));
+        CHECK(pixel_size(moved, kWindow, under) * factor == Approx(pixel_size(camera, kWindow, under)));
     });
 }
 
@@ -120,14 +120,14 @@ TEST_CASE("nobody zooms out of reach, and coming back is always possible", "[ren
         Camera far = camera;
         Camera near = camera;
         for (int n = 0; n < 200; ++n) {
-            far = zoomed(far, kViewport, 0.8, 100.0, 50.0, 2.0);
-            near = zoomed(near, kViewport, 1.25, 100.0, 50.0, 2.0);
+            far = zoomed(far, kWindow, 0.8, 100.0, 50.0, 2.0);
+            near = zoomed(near, kWindow, 1.25, 100.0, 50.0, 2.0);
         }
         CHECK(far.distance() == Approx(20.0));
         CHECK(near.distance() == Approx(0.02));
         // already beyond the range of a smaller scene: the camera does not jump, and can only come back
-        CHECK(zoomed(far, kViewport, 0.5, 9.0, 9.0, 0.1).distance() == Approx(20.0));
-        CHECK(zoomed(far, kViewport, 2.0, 9.0, 9.0, 0.1).distance() == Approx(10.0));
+        CHECK(zoomed(far, kWindow, 0.5, 9.0, 9.0, 0.1).distance() == Approx(20.0));
+        CHECK(zoomed(far, kWindow, 2.0, 9.0, 9.0, 0.1).distance() == Approx(10.0));
     });
 }
 
@@ -213,13 +213,13 @@ TEST_CASE("what is grabbed stays under the pointer and in its depth", "[render][
         const double x = uniform(random, 40.0, 640.0);
         const double y = uniform(random, 30.0, 430.0);
         const Vector3d grabbed = camera.target + random_vector(random, 0.1 * camera.distance());
-        const Vector3d dragged = point_at_depth(camera, kViewport, x, y, grabbed);
+        const Vector3d dragged = point_at_depth(camera, kWindow, x, y, grabbed);
         CHECK(seen_at(camera, dragged, x, y));
         CHECK(
-            project(camera, kViewport, dragged).depth ==
-            Approx(project(camera, kViewport, grabbed).depth).margin(1e-9));
-        const Projected there = project(camera, kViewport, grabbed);
-        CHECK((point_at_depth(camera, kViewport, there.x, there.y, grabbed) - grabbed).norm() < 1e-9);
+            project(camera, kWindow, dragged).depth ==
+            Approx(project(camera, kWindow, grabbed).depth).margin(1e-9));
+        const Projected there = project(camera, kWindow, grabbed);
+        CHECK((point_at_depth(camera, kWindow, there.x, there.y, grabbed) - grabbed).norm() < 1e-9);
     });
 }
 

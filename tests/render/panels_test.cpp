@@ -12,8 +12,8 @@
 namespace jw::render::test {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 180;
+constexpr int kPanelWidth = 320;
+constexpr int kPanelHeight = 180;
 
 /// ImGui with its fonts and our backend.
 class PanelPainter {
@@ -21,7 +21,7 @@ public:
     explicit PanelPainter(float scale = 1.0F) : context_(ImGui::CreateContext()) {
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
-        io.DisplaySize = {kWidth, kHeight};
+        io.DisplaySize = {kPanelWidth, kPanelHeight};
         io.DeltaTime = 1.0F / 30.0F;
         fonts_ = load_fonts(scale);
         backend_ = std::make_unique<ImguiBackend>(offscreen_.gl());
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    Offscreen offscreen_{kWidth, kHeight};
+    Offscreen offscreen_{kPanelWidth, kPanelHeight};
     ImGuiContext* context_;
     Fonts fonts_;
     std::unique_ptr<ImguiBackend> backend_;
@@ -84,7 +84,7 @@ TEST_CASE("text is drawn where it was put, dark and nowhere else", "[render][pan
     });
     const Rect box{100.0, 60.0, 80.0, 23.0};
     CHECK(dark_pixels(image, box) > 200);
-    CHECK(dark_pixels(image, {0.0, 0.0, kWidth, kHeight}) == dark_pixels(image, box));
+    CHECK(dark_pixels(image, {0.0, 0.0, kPanelWidth, kPanelHeight}) == dark_pixels(image, box));
 }
 
 TEST_CASE("a rectangle covers its pixels exactly and is clipped by the clip rectangle", "[render][panels]") {
@@ -94,7 +94,7 @@ TEST_CASE("a rectangle covers its pixels exactly and is clipped by the clip rect
         list.PopClipRect();
     });
     CHECK(dark_pixels(image, {20.0, 20.0, 40.0, 10.0}) == 400);
-    CHECK(dark_pixels(image, {0.0, 0.0, kWidth, kHeight}) == 400);
+    CHECK(dark_pixels(image, {0.0, 0.0, kPanelWidth, kPanelHeight}) == 400);
 }
 
 TEST_CASE("more vertices than 16-bit indices reach are drawn", "[render][panels]") {

@@ -10,9 +10,9 @@
 namespace jw::render::test {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 180;
-const Rect kWhole{0.0, 0.0, kWidth, kHeight};
+constexpr int kPictureWidth = 320;
+constexpr int kPictureHeight = 180;
+const Rect kWholePicture{0.0, 0.0, kPictureWidth, kPictureHeight};
 
 /// True if the hues agree, whatever the lightness: which channel is strongest and which weakest.
 bool looks(const std::uint8_t* pixel, const Colour& colour) {
@@ -35,7 +35,7 @@ Scene small_scene() {
     return scene;
 }
 
-Camera view_of(const Scene& scene, const Rect& viewport = kWhole) {
+Camera view_of(const Scene& scene, const Rect& viewport = kWholePicture) {
     return frame_scene(bounds_of(scene), viewport);
 }
 
@@ -45,10 +45,10 @@ TEST_CASE("a body appears in its own colour before a pale backdrop", "[render][p
     const auto colour = GENERATE(from_range(palette::kBodies));
     Scene scene;
     scene.shapes.push_back({Sphere{Vector3d::Zero(), 0.5}, colour});
-    const Image image = picture(scene, view_of(scene), kWhole, kWidth, kHeight);
-    CHECK(looks(image.at(kWidth / 2, kHeight / 2), colour));
-    for (const int x : {3, kWidth - 4}) {
-        for (const int y : {3, kHeight - 4}) {
+    const Image image = picture(scene, view_of(scene), kWholePicture, kPictureWidth, kPictureHeight);
+    CHECK(looks(image.at(kPictureWidth / 2, kPictureHeight / 2), colour));
+    for (const int x : {3, kPictureWidth - 4}) {
+        for (const int y : {3, kPictureHeight - 4}) {
             const std::uint8_t* const corner = image.at(x, y);
             CHECK(*std::min_element(corner, corner + 3) > 220);
         }
@@ -57,17 +57,19 @@ TEST_CASE("a body appears in its own colour before a pale backdrop", "[render][p
 
 TEST_CASE("two runs give the same bytes", "[render][picture]") {
     const Scene scene = small_scene();
-    const auto png = [&] { return encode_png(picture(scene, view_of(scene), kWhole, kWidth, kHeight)); };
+    const auto png = [&] {
+        return encode_png(picture(scene, view_of(scene), kWholePicture, kPictureWidth, kPictureHeight));
+    };
     CHECK(png() == png());
 }
 
 TEST_CASE("one renderer draws the same frame whatever it drew before", "[render][picture]") {
     const Scene scene = small_scene();
-    Offscreen offscreen(kWidth, kHeight);
+    Offscreen offscreen(kPictureWidth, kPictureHeight);
     const SceneRenderer renderer(offscreen.gl());
     const auto draw = [&](const Scene& what) {
         offscreen.begin_3d();
-        renderer.draw(what, view_of(scene), kWhole, offscreen.targets());
+        renderer.draw(what, view_of(scene), kWholePicture, offscreen.targets());
         offscreen.begin_2d();
         return offscreen.read();
     };
@@ -79,16 +81,16 @@ TEST_CASE("one renderer draws the same frame whatever it drew before", "[render]
 TEST_CASE("a shadow moves with its body and with the light that goes with the camera", "[render][picture]") {
     Scene scene = small_scene();
     Camera camera = view_of(scene);
-    Offscreen offscreen(kWidth, kHeight);
+    Offscreen offscreen(kPictureWidth, kPictureHeight);
     const SceneRenderer renderer(offscreen.gl());
     for (int n = 0; n < 6; ++n) {
         // in turn: the same again, another camera, another position of one body
         if (n % 3 == 1) { camera.eye.x() += 0.7; }
         if (n % 3 == 2) { std::get<Box>(scene.shapes[0].geometry).pose.r.y() += 0.4; }
         offscreen.begin_3d();
-        renderer.draw(scene, camera, kWhole, offscreen.targets());
+        renderer.draw(scene, camera, kWholePicture, offscreen.targets());
         offscreen.begin_2d();
-        CHECK(offscreen.read() == picture(scene, camera, kWhole, kWidth, kHeight));
+        CHECK(offscreen.read() == picture(scene, camera, kWholePicture, kPictureWidth, kPictureHeight));
     }
 }
 
@@ -104,13 +106,13 @@ TEST_CASE("a small sphere is drawn where project says", "[render][picture]") {
         GENERATE(Vector3d(0.5, 0.2, 0.4), Vector3d(-0.6, 0.1, -0.3), Vector3d(0.0, -0.7, 0.2));
     Scene scene;
     scene.shapes.push_back({Sphere{centre, 0.08}, palette::kInk});
-    const Image image = picture(scene, camera, viewport, kWidth, kHeight);
+    const Image image = picture(scene, camera, viewport, kPictureWidth, kPictureHeight);
 
     double x = 0.0;
     double y = 0.0;
     double count = 0.0;
-    for (int row = 0; row < kHeight; ++row) {
-        for (int column = 0; column < kWidth; ++column) {
+    for (int row = 0; row < kPictureHeight; ++row) {
+        for (int column = 0; column < kPictureWidth; ++column) {
             if (image.at(column, row)[0] < 140) {
                 x += column + 0.5;
                 y += row + 0.5;
@@ -129,10 +131,10 @@ TEST_CASE("a small sphere is drawn where project says", "[render][picture]") {
 TEST_CASE("nothing is drawn outside the viewport", "[render][picture]") {
     const Rect viewport{100.0, 40.0, 120.0, 90.0};
     Scene scene = small_scene();
-    const Image image = picture(scene, view_of(scene, viewport), viewport, kWidth, kHeight);
+    const Image image = picture(scene, view_of(scene, viewport), viewport, kPictureWidth, kPictureHeight);
     std::set<std::array<int, 3>> outside;
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kPictureHeight; ++y) {
+        for (int x = 0; x < kPictureWidth; ++x) {
             const std::uint8_t* const p = image.at(x, y);
             if (!viewport.contains(x + 0.5, y + 0.5)) { outside.insert({p[0], p[1], p[2]}); }
         }
@@ -145,10 +147,10 @@ TEST_CASE(
     Scene scene;
     scene.shapes.push_back({Sphere{Vector3d::Zero(), 0.5}, palette::kSky});
     const Camera camera = view_of(scene);
-    const Image body = picture(scene, camera, kWhole, kWidth, kHeight);
+    const Image body = picture(scene, camera, kWholePicture, kPictureWidth, kPictureHeight);
     const bool see_through = GENERATE(true, false);
     scene.arrows.push_back({{0.0, 0.0, -0.2}, {0.0, 0.0, 0.2}, 0.04, palette::kVectorJ, false, see_through});
-    CHECK((picture(scene, camera, kWhole, kWidth, kHeight) == body) == !see_through);
+    CHECK((picture(scene, camera, kWholePicture, kPictureWidth, kPictureHeight) == body) == !see_through);
 }
 
 TEST_CASE("a highlighted vector is thicker and has a halo, through a body as well", "[render][picture]") {
@@ -157,13 +159,13 @@ TEST_CASE("a highlighted vector is thicker and has a halo, through a body as wel
     Scene scene;
     if (inside) { scene.shapes.push_back({Sphere{Vector3d::Zero(), 0.5}, palette::kSteel}); }
     scene.arrows.push_back({{0.0, 0.0, -0.4}, {0.0, 0.0, 0.4}, 0.02, palette::kVectorI});
-    Offscreen offscreen(kWidth, kHeight);
+    Offscreen offscreen(kPictureWidth, kPictureHeight);
     const SceneRenderer renderer(offscreen.gl());
     Camera camera;
     camera.eye = {0.0, -3.0, 0.0};
     const auto draw = [&] {
         offscreen.begin_3d();
-        renderer.draw(scene, camera, kWhole, offscreen.targets(), tone);
+        renderer.draw(scene, camera, kWholePicture, offscreen.targets(), tone);
         offscreen.begin_2d();
         return offscreen.read();
     };
@@ -173,10 +175,10 @@ TEST_CASE("a highlighted vector is thicker and has a halo, through a body as wel
 
     const auto across = [&](const auto& counts) {
         int count = 0;
-        for (int x = 0; x < kWidth; ++x) { count += counts(x) ? 1 : 0; }
+        for (int x = 0; x < kPictureWidth; ++x) { count += counts(x) ? 1 : 0; }
         return count;
     };
-    const int row = kHeight / 2 + 10;  // across the shaft
+    const int row = kPictureHeight / 2 + 10;  // across the shaft
     const auto amber = [&](const Image& image) {
         return across([&](int x) {
             const std::uint8_t* const p = image.at(x, row);
@@ -197,12 +199,12 @@ TEST_CASE("a ghost lets the body behind it shine through", "[render][picture]") 
     scene.shapes.push_back({Sphere{{0.0, 0.0, 0.0}, 0.3}, palette::kOrange});
     Bounds bounds;
     bounds.include(Vector3d::Zero(), 1.0);
-    const Camera camera = frame_scene(bounds, kWhole);
-    const Image solid = picture(scene, camera, kWhole, kWidth, kHeight);
+    const Camera camera = frame_scene(bounds, kWholePicture);
+    const Image solid = picture(scene, camera, kWholePicture, kPictureWidth, kPictureHeight);
     scene.shapes.push_back({Sphere{{0.0, 0.0, 0.0}, 0.6}, with_alpha(palette::kBlue, 0.3F)});
-    const Image veiled = picture(scene, camera, kWhole, kWidth, kHeight);
-    const std::uint8_t* const before = solid.at(kWidth / 2, kHeight / 2);
-    const std::uint8_t* const after = veiled.at(kWidth / 2, kHeight / 2);
+    const Image veiled = picture(scene, camera, kWholePicture, kPictureWidth, kPictureHeight);
+    const std::uint8_t* const before = solid.at(kPictureWidth / 2, kPictureHeight / 2);
+    const std::uint8_t* const after = veiled.at(kPictureWidth / 2, kPictureHeight / 2);
     CHECK(looks(after, palette::kOrange));
     CHECK(after[2] > before[2]);
     CHECK(after[0] < before[0]);
@@ -212,10 +214,10 @@ TEST_CASE("a body darkens the ground beside it", "[render][picture]") {
     Scene scene = small_scene();
     const Camera camera = view_of(scene);
     const auto darkness = [&](const Scene& what) {
-        const Image image = picture(what, camera, kWhole, kWidth, kHeight);
+        const Image image = picture(what, camera, kWholePicture, kPictureWidth, kPictureHeight);
         long sum = 0;
-        for (int y = 0; y < kHeight; ++y) {
-            for (int x = 0; x < kWidth; ++x) {
+        for (int y = 0; y < kPictureHeight; ++y) {
+            for (int x = 0; x < kPictureWidth; ++x) {
                 // grey means ground: all bodies of this scene are colourful
                 const std::uint8_t* const p = image.at(x, y);
                 const auto [least, most] = std::minmax({p[0], p[1], p[2]});

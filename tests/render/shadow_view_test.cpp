@@ -8,7 +8,7 @@
 namespace jw::render::test {
 namespace {
 
-const Rect kViewport{40.0, 30.0, 600.0, 400.0};
+const Rect kShadowViewport{40.0, 30.0, 600.0, 400.0};
 const Vector3d kUp = Vector3d::UnitZ();
 constexpr double kBorder = 0.006;
 
@@ -19,7 +19,8 @@ Vector3d shadow_of(const Vector3d& point, const Vector3d& towards_light, double 
 
 Rect shadow_seen(
     const ShadowView& view, const Camera& camera, const Vector3d& point, const Vector3d& normal) {
-    return seen_part(bounds_of(shadow_on_plane(view, kBorder, point, normal).value()), camera, kViewport);
+    return seen_part(
+        bounds_of(shadow_on_plane(view, kBorder, point, normal).value()), camera, kShadowViewport);
 }
 
 }  // namespace
@@ -43,7 +44,7 @@ TEST_CASE("no shadow falls outside of the part of the picture that is named", "[
         const ShadowView view = shadow_view(casters, light, 1024);
         const Rect part = shadow_seen(view, camera, {5.0, 2.0, height}, 2.0 * kUp);
         for (const Vector3d& point : points) {
-            const Projected seen = project(camera, kViewport, shadow_of(point, light, height));
+            const Projected seen = project(camera, kShadowViewport, shadow_of(point, light, height));
             if (!seen.visible) { continue; }
             CHECK(part.contains(seen.x, seen.y));
             ++inside;
@@ -59,7 +60,7 @@ TEST_CASE("the part where shadow can fall is little more than the shadow", "[ren
     camera.eye = {0.0, -0.01, 10.0};
     const ShadowView view = shadow_view(casters, kUp, 1024);
     const Rect part = shadow_seen(view, camera, Vector3d::Zero(), kUp);
-    const double pixels = 1.0 / pixel_size(camera, kViewport, Vector3d::Zero());
+    const double pixels = 1.0 / pixel_size(camera, kShadowViewport, Vector3d::Zero());
     // border and margin of 0.016 of the map on each side, whose width is up to 1.15 x 1.25 diagonals of a
     // cube around the ball; 2 pixels of rounding on each side
     const double most = (1.0 + 2.0 * 0.016 * 1.15 * 1.25 * std::sqrt(3.0)) * pixels + 4.0;
@@ -80,7 +81,7 @@ TEST_CASE("nothing casts no shadow, and where none can be ruled out it is looked
     Bounds behind;
     behind.include(2.0 * camera.eye, 0.5);
     const ShadowView overhead = shadow_view(behind, kUp, 1024);
-    CHECK(shadow_seen(overhead, camera, 2.0 * camera.eye, kUp) == kViewport);
+    CHECK(shadow_seen(overhead, camera, 2.0 * camera.eye, kUp) == kShadowViewport);
 }
 
 }  // namespace jw::render::test
