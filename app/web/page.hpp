@@ -37,8 +37,9 @@ public:
     /// @param seconds  since the last picture
     /// @return seconds until another one is due without an event; 0: at once, infinity: never
     double frame(double seconds);
-    /// To be called when the browser has taken away the graphics context, and when it restores the context.
+    /// Gives up the graphics objects after the browser has taken away their context.
     void lose_context();
+    /// Creates the graphics objects again in the context that the browser has restored.
     void restore_context();
 
     /// Address of the shown state, the part after '#' (app/host/lesson/address.hpp).

@@ -32,8 +32,8 @@ inline constexpr std::array kNewtonMethods{
 /// Index of the step from which a joint or driver is closed, -1 if the story does not reach it.
 int start_of_closing(const Story& story, const Addition& subject);
 
-/// The same index for the joint or driver whose closing shows most about Newton's method: a wrong branch is
-/// left, or else the most iterations happen. The first of several; -1 if nothing is added.
+/// Index of the step from which that joint or driver is closed that shows most about Newton's method: a wrong
+/// branch is left, or else the most iterations happen. The first of several; -1 if nothing is added.
 int start_of_telling_closing(const Story& story);
 
 struct NewtonRuns {

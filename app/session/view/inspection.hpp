@@ -67,7 +67,7 @@ public:
 
 /// Exception that says why a story ended at its step `failed`, with the lesson's file name.
 PoseNotReached not_reached(const Lesson& lesson, const Step& failed);
-/// The same for a pose of a motion that was not reached.
+/// Exception that says why a pose of a motion was not reached.
 PoseNotReached not_reached(const Lesson& lesson, const System& system, const PositionFailure& failure);
 
 }  // namespace jw
