@@ -243,6 +243,17 @@ test("Cost of accuracy is measured in another copy of the program, with the erro
   });
 });
 
+test("The copyrights of all that the page contains are beside it", async () => {
+  const answer = await fetch(new URL("notices.txt", address));
+  const text = await answer.text();
+  check(answer.ok && !text.includes(root), "no notices, or paths of this machine in them");
+  for (const words of ["authors of Jointwise", "Mozilla Public License", "Omar Cornut", "Niels Lohmann", "Victor Zverovich",
+    "FreeType", "Bitstream Vera", "GUST Font", "University of Illinois", "@codemirror/view ====", "Marijn Haverbeke"]) {
+    check(text.includes(words), `no "${words}" in the notices`);
+  }
+  check(!text.includes("esbuild ===="), "a notice of a tool that is not in the page");
+});
+
 test("After the first visit the page opens without network", async () => {
   await visitAlone({ hash: "#four-bar/4" }, async (v) => {
     await v.tab.evaluate(async () => { await navigator.serviceWorker.ready; });
