@@ -344,7 +344,12 @@ bool MotionTracker::reach(double t) {
         if (goes_on && (++rejected < kMostRejected || !is_driven_)) { continue; }
         rejected = 0;
         if (goes_on && is_decided()) { continue; }
-        if (!is_driven_ || tried >= kMostTried || !cross(t)) {
+        if (tried >= kMostTried) {  // nothing is known about the poses beyond
+            failure_ = PositionFailure{};
+            failure_->t = frame_.t;
+            return false;
+        }
+        if (!is_driven_ || !cross(t)) {
             explain_end(t);
             return false;
         }

@@ -231,10 +231,11 @@ std::string no_value_text(const System& system, const PositionFailure& failure) 
 std::string no_convergence_text(const System& system, const PositionFailure& failure) {
     if (failure.iterations == 0) {
         return followed(
-            tr("The motion cannot be followed beyond t = {0} s: even the smallest step could not be proved.",
+            tr("The motion cannot be followed beyond t = {0} s: too many steps would be needed, or even the "
+               "smallest one could not be proved.",
                moment_of(failure)),
-            tr("An equation may change without limit here, or have no derivative: see its value and its row "
-               "of the Jacobian just before."));
+            tr("A body may turn very fast here, or an equation may change without limit or have no "
+               "derivative: see the velocities and the row of the Jacobian just before."));
     }
     const std::string within = tr_count(failure.iterations, "{0} iteration", "{0} iterations");
     const std::string text =
