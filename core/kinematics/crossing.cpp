@@ -154,10 +154,15 @@ void MotionTracker::explain_end(double t) {
     const Root root = is_driven_ ? find_root() : Root{};
     if (root.kind == Root::Kind::simple_root) {
         const double sense = t > frame_.t ? 1.0 : -1.0;
-        failure_->cause = turns_back(*system_, frame_.state, path_velocity_, frame_.t, sense)
-                              ? FailureCause::turning_point
-                              : FailureCause::likely_turning_point;
         failure_->t = root.t;
+        if (turns_back(*system_, frame_.state, path_velocity_, frame_.t, sense)) {
+            failure_->cause = FailureCause::turning_point;
+        } else if (only_moving_driver(*system_, frame_.t) == nullptr) {  // no proof is known
+            failure_->cause = FailureCause::likely_turning_point;
+        } else {  // the motion may continue just beside a turning point
+            failure_->cause = FailureCause::undecided;
+            failure_->t = frame_.t;
+        }
         return;
     }
     // one small step past a dead end, the gap is too small for a verdict, so it is determined at `t` whether

@@ -328,10 +328,15 @@ bool MotionTracker::reach(double t) {
     const double shortest = (is_driven_ ? kShortest : kShortestFree) * std::abs(t - frame_.t);
     int rejected = 0;
     for (int tried = 0; !is_there(); ++tried) {
+        if (tried >= kMostTried) {  // nothing is known about the poses beyond
+            failure_ = PositionFailure{};
+            failure_->t = frame_.t;
+            return false;
+        }
         const double whole = t - frame_.t;
         const double h = std::copysign(std::min(std::abs(whole), step_), whole);
-        if (tried < kMostTried) { ++frame_.tries; }
-        if (tried < kMostTried && try_step(h)) {
+        ++frame_.tries;
+        if (try_step(h)) {
             ++frame_.substeps;
             follow_angles();
             is_crossing_ = false;
@@ -340,15 +345,10 @@ bool MotionTracker::reach(double t) {
             continue;
         }
         step_ = 0.5 * std::abs(h);
-        const bool goes_on = tried < kMostTried && step_ > shortest && frame_.t + h != frame_.t;
+        const bool goes_on = step_ > shortest && frame_.t + h != frame_.t;
         if (goes_on && (++rejected < kMostRejected || !is_driven_)) { continue; }
         rejected = 0;
         if (goes_on && is_decided()) { continue; }
-        if (tried >= kMostTried) {  // nothing is known about the poses beyond
-            failure_ = PositionFailure{};
-            failure_->t = frame_.t;
-            return false;
-        }
         if (!is_driven_ || !cross(t)) {
             explain_end(t);
             return false;

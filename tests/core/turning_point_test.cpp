@@ -107,6 +107,15 @@ TEST_CASE("A motion that needs too many steps ends without a verdict about the p
     CHECK(failure.t == Approx(0.997).margin(0.001));
 }
 
+TEST_CASE("A crank that turns on is not said to turn back where no step can be proved", "[branches]") {
+    // its margin of 2e-9 looks as if it had a root
+    Random random(6869);
+    const DrivenLoop loop = driven_spatial_loop(random, log_uniform(random, 1e-9, 0.3));
+    const int steps = static_cast<int>(log_uniform(random, 1.0, 2000.0));
+    CAPTURE(loop.name, loop.margin, steps);
+    CHECK(end_of(loop.mechanism, steps).cause == FailureCause::undecided);
+}
+
 TEST_CASE("Of several drivers that move at once it is not proved that they turn back", "[branches]") {
     CHECK(end_of(five_bar(1.2, 0.0), 100).cause == FailureCause::turning_point);
     CHECK(end_of(five_bar(1.2, -0.5), 100).cause == FailureCause::likely_turning_point);
