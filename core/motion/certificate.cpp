@@ -74,6 +74,7 @@ void Certificate::find_loaded() {
     }
     std::ranges::for_each(loads.springs, mark_both);
     std::ranges::for_each(loads.rotational_springs, mark_both);
+    std::ranges::for_each(loads.bushings, mark_both);
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         if (counts[at(moving_[m])]) { loaded_moving_.push_back(static_cast<int>(m)); }
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary/elementary.hpp"
 #include "core/jets/body_kinematics.hpp"
 #include "core/jets/drivers.hpp"
 
@@ -18,6 +19,15 @@ using Forces = std::span<BodyForce>;
 void push(Bodies bodies, Forces forces, int body, const Vec3& point_local, const Vec3& f) {
     forces[at(body)].f += f;
     forces[at(body)].n_local += point_local.cross(bodies[at(body)].A.transpose() * f);
+}
+
+/// Vector between the two points of a spring or a bushing, and its rate.
+SpringSpan between_points(const auto& ends, Bodies bodies) {
+    const auto& i = bodies[at(ends.body_i)];
+    const auto& j = bodies[at(ends.body_j)];
+    return {
+        j.r + j.A * ends.P_j_local - i.r - i.A * ends.P_i_local,
+        j.r_dot + j.A_dot * ends.P_j_local - i.r_dot - i.A_dot * ends.P_i_local};
 }
 
 /// Distance between a spring's ends, or displacement along its axis, and its rate.
@@ -56,6 +66,74 @@ Twist twist_of(const RotationalSpring& spring, Bodies bodies) {
         spring.angle, bodies[at(spring.body_i)], bodies[at(spring.body_j)], Theta{});
     const double change = angle.value(0) - spring.free_angle - spring.twist_before;
     return {spring.twist_before + std::remainder(change, 2.0 * std::numbers::pi), angle.rate(0)};
+}
+
+/// Displacement and rotation vector of a bushing, along and about its axes.
+struct Yielding {
+    Vec3 d;               ///< [m]
+    Vec3 d_dot;           ///< [m/s]
+    Vec3 phi;             ///< rotation vector [rad], shorter than π
+    Vec3 phi_dot;         ///< [rad/s]
+    Mat3 phi_by_turning;  ///< ∂φ̇/∂ω of the axes in j against those in i
+    Mat3 axes;            ///< axes in body i, columns, global
+    Vec3 d_global;        ///< [m]
+};
+
+/// Rotation vector of a rotation matrix.
+Vec3 rotation_vector(const Mat3& R) {
+    // 4 e0 e and 4 e0² of its Euler parameters
+    const Vec3 e(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+    const double length = e.norm();
+    const double angle = 2.0 * elementary::atan2(length, 1.0 + R.trace());
+    return length > 0.0 ? (angle / length * e).eval() : Vec3::Zero();
+}
+
+/// ∂φ̇/∂ω = I - φ̃/2 + c φ̃² with c = (1 - (φ/2) cot(φ/2)) / φ². Where φ is so small that c is wrong, c φ̃² is
+/// as small as rounding.
+Mat3 rotation_vector_rate(const Vec3& phi) {
+    const double square = phi.squaredNorm();
+    const Mat3 cross = tilde(phi);
+    const Mat3 first_order = Mat3::Identity() - 0.5 * cross;
+    if (square == 0.0) { return first_order; }
+    const double half = 0.5 * std::sqrt(square);
+    const auto [sine, cosine] = elementary::sine_and_cosine(half);
+    return first_order + (1.0 - half * cosine / sine) / square * (cross * cross);
+}
+
+Yielding yielding_of(const Bushing& bushing, Bodies bodies) {
+    const auto& i = bodies[at(bushing.body_i)];
+    const auto& j = bodies[at(bushing.body_j)];
+    const auto [d, d_dot] = between_points(bushing, bodies);
+    Yielding out;
+    out.axes = i.A * bushing.axes_i_local;
+    out.d_global = d;
+    const Mat3 axes_dot = i.A_dot * bushing.axes_i_local;
+    const Mat3 axes_j = j.A * bushing.axes_j_local;
+    out.d = out.axes.transpose() * d;
+    out.d_dot = out.axes.transpose() * d_dot + axes_dot.transpose() * d;
+    const Mat3 R = out.axes.transpose() * axes_j;
+    const Mat3 R_dot =
+        axes_dot.transpose() * axes_j + out.axes.transpose() * (j.A_dot * bushing.axes_j_local);
+    const Mat3 turning = R_dot * R.transpose();
+    out.phi = rotation_vector(R);
+    out.phi_by_turning = rotation_vector_rate(out.phi);
+    out.phi_dot = out.phi_by_turning * Vec3(turning(2, 1), turning(0, 2), turning(1, 0));
+    return out;
+}
+
+void add_bushing(const Bushing& bushing, Bodies bodies, Forces forces) {
+    const auto& i = bodies[at(bushing.body_i)];
+    const Yielding y = yielding_of(bushing, bodies);
+    const Vec3 pull = bushing.stiffness.cwiseProduct(y.d) + bushing.damping.cwiseProduct(y.d_dot);
+    const Vec3 f = y.axes * pull;
+    // the axes turn with body i, so the force acts on it at the point of j
+    push(bodies, forces, bushing.body_i, bushing.P_i_local + i.A.transpose() * y.d_global, f);
+    push(bodies, forces, bushing.body_j, bushing.P_j_local, -f);
+    const Vec3 twist =
+        bushing.rotational_stiffness.cwiseProduct(y.phi) + bushing.rotational_damping.cwiseProduct(y.phi_dot);
+    const Vec3 n = y.axes * (y.phi_by_turning.transpose() * twist);
+    forces[at(bushing.body_i)].n_local += i.A.transpose() * n;
+    forces[at(bushing.body_j)].n_local -= bodies[at(bushing.body_j)].A.transpose() * n;
 }
 
 void add_applied(const Loads& loads, Bodies bodies, double t, Forces forces) {
@@ -120,13 +198,7 @@ std::vector<BodyKinematics<OmegaLocal>> kinematics_of(const State& state, const 
     return bodies;
 }
 
-SpringSpan span_of(const Spring& spring, Bodies bodies) {
-    const auto& i = bodies[at(spring.body_i)];
-    const auto& j = bodies[at(spring.body_j)];
-    return {
-        j.r + j.A * spring.P_j_local - i.r - i.A * spring.P_i_local,
-        j.r_dot + j.A_dot * spring.P_j_local - i.r_dot - i.A_dot * spring.P_i_local};
-}
+SpringSpan span_of(const Spring& spring, Bodies bodies) { return between_points(spring, bodies); }
 
 double size_of(const Spring& spring, Bodies bodies) {
     const Stretch s = stretch_of(spring, bodies);
@@ -138,6 +210,12 @@ double size_of(const RotationalSpring& spring) {
     const double angle = spring.twist_before + spring.free_angle;
     return spring.stiffness * (1.0 + std::abs(spring.twist_before) + std::abs(spring.free_angle)) +
            (spring.law ? spring.law->size_at(std::array{angle, 0.0}) : 0.0);
+}
+
+double size_of(const Bushing& bushing, Bodies bodies, double length) {
+    const Yielding y = yielding_of(bushing, bodies);
+    return bushing.stiffness.maxCoeff() * y.d.norm() +
+           bushing.rotational_stiffness.maxCoeff() * (1.0 + y.phi.norm()) / length;
 }
 
 bool linearise_laws(Loads& loads, Bodies bodies) {
@@ -166,6 +244,7 @@ void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {
     }
     add_applied(loads, bodies, t, forces);
     add_springs(loads, bodies, forces);
+    for (const Bushing& bushing : loads.bushings) { add_bushing(bushing, bodies, forces); }
 }
 
 void begin_turns(Loads& loads, Bodies bodies) {
@@ -204,6 +283,11 @@ double potential_energy(const Loads& loads, Bodies bodies) {
         const double angle = twist_of(spring, bodies).angle;
         energy += 0.5 * spring.stiffness * angle * angle +
                   (spring.law ? spring.law->integral(spring.free_angle, spring.free_angle + angle) : 0.0);
+    }
+    for (const Bushing& bushing : loads.bushings) {
+        const Yielding y = yielding_of(bushing, bodies);
+        energy += 0.5 * bushing.stiffness.dot(y.d.cwiseAbs2()) +
+                  0.5 * bushing.rotational_stiffness.dot(y.phi.cwiseAbs2());
     }
     return energy;
 }

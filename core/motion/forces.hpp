@@ -31,6 +31,8 @@ SpringSpan span_of(const Spring& spring, std::span<const BodyKinematics<OmegaLoc
 /// force is relative to it. Turns of the rotational spring are counted up to this state.
 double size_of(const Spring& spring, std::span<const BodyKinematics<OmegaLocal>> bodies);
 double size_of(const RotationalSpring& spring);
+/// The same of a bushing, with torques divided by a length [N].
+double size_of(const Bushing& bushing, std::span<const BodyKinematics<OmegaLocal>> bodies, double length);
 
 /// Replaces the laws of springs by their first-order expansions about rest at these poses.
 /// @return false if a law has no slope there, or a kink so near that rounding hides on which side it is

@@ -95,6 +95,10 @@ Centroidal centroidal(const Mechanism& mechanism, const Loads& loads) {
         spring.P_i_local -= centre(spring.body_i);
         spring.P_j_local -= centre(spring.body_j);
     }
+    for (Bushing& bushing : out.loads.bushings) {
+        bushing.P_i_local -= centre(bushing.body_i);
+        bushing.P_j_local -= centre(bushing.body_j);
+    }
     // start estimates too: r + A c and its velocity
     const State start = start_state(mechanism);
     begin_turns(out.loads, kinematics_of(start));

@@ -84,6 +84,27 @@ struct RotationalSpring {
     double twist_before = 0.0;
 };
 
+/// A rubber block between two bodies: springs and dampers along and about its three axes, which turn with
+/// body i. It adds no equation: it pulls the point of body j back to that of body i, and the axes in body j
+/// back to those in body i. Both are the same without load.
+///
+/// With φ, the rotation vector of the axes in body j against those in body i (angle times axis, up to half a
+/// turn), its potential energy is Σ k d²/2 + Σ k_φ φ²/2 over the components of d and φ along its axes.
+struct Bushing {
+    int body_i = 0;
+    int body_j = 0;
+    Vec3 P_i_local = Vec3::Zero();             ///< [m]
+    Vec3 P_j_local = Vec3::Zero();             ///< [m]
+    Mat3 axes_i_local = Mat3::Identity();      ///< columns: its axes x, y, z in body i
+    Mat3 axes_j_local = Mat3::Identity();      ///< the same in body j
+    Vec3 stiffness = Vec3::Zero();             ///< along x, y, z [N/m]
+    Vec3 damping = Vec3::Zero();               ///< [N s/m]
+    Vec3 rotational_stiffness = Vec3::Zero();  ///< about x, y, z [N m/rad]
+    Vec3 rotational_damping = Vec3::Zero();    ///< [N m s/rad]
+
+    bool operator==(const Bushing&) const = default;
+};
+
 /// True if the spring acts about the axis of the joint, between its bodies, with the same zero angle.
 bool acts_about(const RotationalSpring& spring, const Joint& joint);
 /// True if the spring acts along the axis of the joint, between its bodies, with the same zero displacement.
@@ -97,6 +118,7 @@ struct Loads {
     std::vector<AppliedTorque> torques;
     std::vector<Spring> springs;
     std::vector<RotationalSpring> rotational_springs;
+    std::vector<Bushing> bushings;
 };
 
 /// The loads without dry friction.

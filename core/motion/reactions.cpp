@@ -37,6 +37,7 @@ double sizes_by_themselves(const Situation& s, std::span<const BodyKinematics<Om
     for (const auto& mass : loads.masses) { sum += mass ? mass->mass * loads.gravity.norm() : 0.0; }
     for (const Spring& spring : loads.springs) { sum += size_of(spring, bodies); }
     for (const RotationalSpring& spring : loads.rotational_springs) { sum += size_of(spring) / s.length; }
+    for (const Bushing& bushing : loads.bushings) { sum += size_of(bushing, bodies, s.length); }
     return sum;
 }
 

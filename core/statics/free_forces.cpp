@@ -104,6 +104,9 @@ void FreeForces::measure_loads() {
     };
     for (const Spring& spring : all.springs) { add_to_both(spring, length_ * size_of(spring, bodies)); }
     for (const RotationalSpring& spring : all.rotational_springs) { add_to_both(spring, size_of(spring)); }
+    for (const Bushing& bushing : all.bushings) {
+        add_to_both(bushing, length_ * size_of(bushing, bodies, length_));
+    }
     const std::vector<SparseRow>& rows = assembler_.sparse_jacobian().rows;
     for (std::size_t k = 0; k < rows.size(); ++k) {
         for (std::size_t side = 0; side < 2; ++side) {

@@ -181,6 +181,30 @@ inline constexpr std::array kRotationalSpring{
     spelled(
         {"free_angle", KeyKind::number, "angle without torque; default that at the start"}, Spelling::angle)};
 
+inline constexpr std::array kConstantsOfBushing{
+    MemberKey<Bushing>{{"stiffness", KeyKind::vector, "along its x, y and z", "N/m"}, &Bushing::stiffness},
+    MemberKey<Bushing>{{"damping", KeyKind::vector, "along its x, y and z", "N s/m"}, &Bushing::damping},
+    MemberKey<Bushing>{
+        {"rotational_stiffness", KeyKind::vector, "about its x, y and z", "N m/rad"},
+        &Bushing::rotational_stiffness},
+    MemberKey<Bushing>{
+        {"rotational_damping", KeyKind::vector, "about its x, y and z", "N m s/rad"},
+        &Bushing::rotational_damping}};
+inline constexpr std::array kBushing = joined(
+    std::array{
+        required(
+            counted("bodies", KeyKind::texts, "names of two bodies, the first is i, the second j", 2, 2)),
+        Key{"at", KeyKind::vector, "its point, global at the start pose", "m"},
+        Key{"point_i", KeyKind::vector, "point in the frame of the first body", "m"},
+        Key{"point_j", KeyKind::vector, "point in the frame of the second body", "m"},
+        Key{"axis", KeyKind::direction, "its z axis, global at the start pose; default the global one"},
+        Key{"axis_i", KeyKind::direction, "z axis in the frame of the first body"},
+        Key{"axis_j", KeyKind::direction, "z axis in the frame of the second body"},
+        Key{"side", KeyKind::direction, "its x axis, global, perpendicular to the axis"},
+        Key{"side_i", KeyKind::direction, "x axis in the frame of the first body"},
+        Key{"side_j", KeyKind::direction, "x axis in the frame of the second body"}},
+    keys_in(kConstantsOfBushing));
+
 inline constexpr std::array kMotionTables{
     KeyTable{"driver", kDriver},
     KeyTable{"harmonic_of_driver", kHarmonicOfDriver},
@@ -195,6 +219,7 @@ inline constexpr std::array kMotionTables{
     KeyTable{"force", kForce},
     KeyTable{"torque", kTorque},
     KeyTable{"spring", kSpring},
-    KeyTable{"rotational_spring", kRotationalSpring}};
+    KeyTable{"rotational_spring", kRotationalSpring},
+    KeyTable{"bushing", kBushing}};
 
 }  // namespace jw::format

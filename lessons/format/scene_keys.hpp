@@ -30,6 +30,7 @@ inline constexpr std::array kLesson{
     in_table(
         "rotational_spring", KeyKind::tables, "springs and dampers about the axis of a joint",
         "rotational_spring"),
+    in_table("bushing", KeyKind::tables, "rubber blocks, which yield along and about three axes", "bushing"),
     in_table("camera", KeyKind::table, "where the scene is seen from", "camera"),
     in_table("step", KeyKind::tables, "texts of steps", "step"),
     in_table("question", KeyKind::tables, "questions before something is shown", "question"),

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
@@ -13,6 +14,8 @@ namespace {
 
 // two points closer than this do not define a usable distance [m]
 constexpr double kSmallestLength = 1e-9;
+
+constexpr std::array kKeysOfAxes{"axis", "axis_i", "axis_j", "side", "side_i", "side_j"};
 
 double degrees_between(const Vec3& a, const Vec3& b) {
     return elementary::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::numbers::pi;
@@ -361,6 +364,16 @@ void read_length(Fields& fields, const BodyPair& pair, bool points_known, JointG
     }
 }
 
+/// Points, axes and sides.
+void read_vectors(Fields& fields, const BodyPair& pair, const JointType& type, JointGeometry& g) {
+    const JointNeeds needs(type);
+    const int errors = fields.problems().errors_count();
+    if (needs.points) { read_points(fields, pair, type, g); }
+    if (type.uses(Role::length)) { read_length(fields, pair, fields.problems().errors_count() == errors, g); }
+    const bool axes_known = needs.axis && read_axes(fields, pair, type, g);
+    if (needs.sides) { read_sides(fields, pair, type, axes_known, g); }
+}
+
 }  // namespace
 
 std::optional<double> read_angular_rate(
@@ -376,19 +389,24 @@ std::optional<double> read_angular_rate(
 
 void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint) {
     const JointType& type = *joint.type;
-    const JointNeeds needs(type);
     JointGeometry& g = joint.geometry;
-    const int errors = fields.problems().errors_count();
     if (type.has_formula()) { return read_formula_joint(fields, pair, type, g); }
-    if (needs.points) { read_points(fields, pair, type, g); }
-    if (type.uses(Role::length)) { read_length(fields, pair, fields.problems().errors_count() == errors, g); }
-    const bool axes_known = needs.axis && read_axes(fields, pair, type, g);
-    if (needs.sides) { read_sides(fields, pair, type, axes_known, g); }
+    read_vectors(fields, pair, type, g);
     if (type.uses(Role::screw_advance)) { read_screw(fields, pair, type, g); }
     if (type.uses(Role::rack_advance)) { read_rack(fields, pair, type, g); }
     if (type.has_curve()) { read_curve(fields, g); }
     if (type.uses(Role::wheel_i) || type.uses(Role::bevel_i)) { read_gear(fields, type, g); }
     read_start_rates(fields, type, g);
+}
+
+void read_axes_and_point(Fields& fields, const BodyPair& pair, JointGeometry& g) {
+    const JointType& type = *find_joint_type("revolute");
+    const auto is_given = [&](const char* key) { return fields.has(key); };
+    if (std::ranges::any_of(kKeysOfAxes, is_given)) { return read_vectors(fields, pair, type, g); }
+    read_points(fields, pair, type, g);
+    g.s_i_local = pair.vector_i(Vec3::UnitZ());
+    g.s_j_local = pair.vector_j(Vec3::UnitZ());
+    set_sides(pair, type, Vec3::UnitX(), g);
 }
 
 }  // namespace jw::reading

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "lessons/fields/member_keys.hpp"
+#include "lessons/format/motion_keys.hpp"
 #include "lessons/read/reading.hpp"
 #include "lessons/read/scalar_formula.hpp"
 
@@ -258,13 +260,69 @@ void read_rotational_spring(Fields& fields, Reading& reading) {
     reading.lesson.dynamics->loads.rotational_springs.push_back(spring);
 }
 
+/// x, y and z of a bushing in a body, as columns.
+Mat3 axes_of(const Vec3& axis, const Vec3& side) {
+    const Vec3 z = unit_of(axis);
+    const Vec3 across = side - z.dot(side) * z;
+    // unchanged if they are perpendicular up to rounding: a written bushing reads back the same
+    const Vec3 x = std::abs(z.dot(side)) < kUnitUpToRounding ? unit_of(side) : across.normalized();
+    Mat3 axes;
+    axes << x, z.cross(x), z;
+    return axes;
+}
+
+/// Reports constants that have no meaning, and sides that are missing.
+void check_constants(Fields& fields, Bushing bushing) {
+    const bool has_axis = fields.has("axis") || fields.has("axis_i");
+    const bool has_side = !has_axis || fields.has("side") || fields.has("side_i");
+    bool is_any = false;
+    for (const auto& bound : format::kConstantsOfBushing) {
+        const std::string key(bound.key.name);
+        const Vec3& value = *std::get<Vec3*>(bound.of(bushing));
+        is_any = is_any || fields.has(key);
+        if (value.minCoeff() < 0.0) {
+            fields.problems().add(
+                Code::out_of_range, fields.span(key),
+                in_quotes(key) + " has a negative number; expected three numbers of at least 0");
+        }
+        if (value.x() != value.y() && !has_side) {
+            fields.missing(
+                "side", "the x axis, global, perpendicular to 'axis', since the numbers of x and y differ");
+            return;
+        }
+    }
+    if (!is_any) {
+        fields.missing(
+            "stiffness",
+            "three numbers in N/m, or 'damping', 'rotational_stiffness' or 'rotational_damping'");
+    }
+}
+
+void read_bushing(Fields& fields, Reading& reading) {
+    const PairIndices bodies = read_pair(fields, reading);
+    JointGeometry g;
+    read_axes_and_point(fields, pair_of(reading, bodies), g);
+    Bushing bushing;
+    read_members(fields, format::kConstantsOfBushing, bushing);
+    check_constants(fields, bushing);
+    fields.finish();
+    if (bodies.i == bodies.j) { return; }
+    bushing.body_i = bodies.i;
+    bushing.body_j = bodies.j;
+    bushing.P_i_local = g.P_i_local;
+    bushing.P_j_local = g.P_j_local;
+    bushing.axes_i_local = axes_of(g.s_i_local, g.u_i_local);
+    bushing.axes_j_local = axes_of(g.s_j_local, g.u_j_local);
+    reading.lesson.dynamics->loads.bushings.push_back(bushing);
+}
+
 struct Kind {
     const char* key;
     void (*read)(Fields&, Reading&);
 };
 constexpr std::array kKinds{
     Kind{"force", read_force}, Kind{"torque", read_torque}, Kind{"spring", read_spring},
-    Kind{"rotational_spring", read_rotational_spring}};
+    Kind{"rotational_spring", read_rotational_spring}, Kind{"bushing", read_bushing}};
 
 /// Reports drivers of an origin that is not the centre of mass: the equations of motion do not contain it.
 void check_coordinate_drivers(const Reading& reading) {

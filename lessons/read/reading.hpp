@@ -68,7 +68,7 @@ void read_dynamics(Fields& root, Reading& reading);
 void read_precision(Fields& root, Lesson& lesson);
 void read_joints(Fields& root, Reading& reading);
 void read_drivers(Fields& root, Reading& reading);
-/// Forces, torques, springs; after joints and drivers.
+/// Forces, torques, springs, bushings; after joints and drivers.
 void read_loads(Fields& root, Reading& reading);
 /// Order of additions and texts of steps; after joints and drivers.
 void read_order(Fields& root, Reading& reading);
@@ -120,6 +120,9 @@ BodyPair pair_of(const Reading& reading, const PairIndices& indices);
 
 /// Vectors of a joint whose type and bodies are known.
 void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint);
+/// A point, an axis and sides, as of a revolute joint; without any of the axes' keys, the global z and x
+/// axes.
+void read_axes_and_point(Fields& fields, const BodyPair& pair, JointGeometry& g);
 /// Gives the joints the geometry that was meant, where they are redundant only to the digits typed.
 void take_as_meant(std::vector<Fields>& bodies, const std::vector<Fields>& joints, Reading& reading);
 

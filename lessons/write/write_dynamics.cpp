@@ -111,6 +111,18 @@ void write_rotational_spring(const Written& written, const RotationalSpring& spr
     lines.angle("free_angle", spring.free_angle);
 }
 
+void write_bushing(const Written& written, const Bushing& bushing, Lines& lines) {
+    lines.table("[[bushing]]");
+    lines.key("bodies", written.pair(bushing.body_i, bushing.body_j));
+    lines.key("point_i", bushing.P_i_local);
+    lines.key("point_j", bushing.P_j_local);
+    lines.key("axis_i", typed_direction(bushing.axes_i_local.col(2)));
+    lines.key("axis_j", typed_direction(bushing.axes_j_local.col(2)));
+    lines.key("side_i", typed_direction(bushing.axes_i_local.col(0)));
+    lines.key("side_j", typed_direction(bushing.axes_j_local.col(0)));
+    write_members(format::kConstantsOfBushing, bushing, lines);
+}
+
 }  // namespace
 
 void write_mass(const MassProperties& mass, Lines& lines) {
@@ -145,6 +157,7 @@ void write_dynamics(const Written& written, Lines& lines) {
     for (const RotationalSpring& spring : plan.loads.rotational_springs) {
         write_rotational_spring(written, spring, lines);
     }
+    for (const Bushing& bushing : plan.loads.bushings) { write_bushing(written, bushing, lines); }
 }
 
 }  // namespace jw::writing

@@ -145,7 +145,13 @@ public:
     void compare(const std::string& name, const Loads& a, const Loads& b) {
         all(name, a, b, &Loads::masses, "masses", &Loads::gravity, "gravity", &Loads::forces, "forces",
             &Loads::torques, "torques", &Loads::springs, "springs", &Loads::rotational_springs,
-            "rotational_springs");
+            "rotational_springs", &Loads::bushings, "bushings");
+    }
+    void compare(const std::string& name, const Bushing& a, const Bushing& b) {
+        all(name, a, b, &Bushing::body_i, "body_i", &Bushing::body_j, "body_j", &Bushing::P_i_local, "P_i",
+            &Bushing::P_j_local, "P_j", &Bushing::axes_i_local, "axes_i", &Bushing::axes_j_local, "axes_j",
+            &Bushing::stiffness, "stiffness", &Bushing::damping, "damping", &Bushing::rotational_stiffness,
+            "rotational_stiffness", &Bushing::rotational_damping, "rotational_damping");
     }
     void compare(const std::string& name, const MassProperties& a, const MassProperties& b) {
         using M = MassProperties;

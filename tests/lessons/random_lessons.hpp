@@ -91,6 +91,15 @@ inline DynamicsPlan random_dynamics(Random& random, const Mechanism& m, unsigned
     plan.loads.springs = {
         {0, 1, random.vector(), random.vector(), random.number(0.0, 1e5), 0.0, random.number(0.0, 9.0)},
         {1, 2, random.vector(), random.vector(), 0.0, random.number(0.0, 9.0), 0.0}};
+    plan.loads.bushings = {random_bushing(random, 0, 2), random_bushing(random, 1, 2)};
+    plan.loads.bushings[1].damping = Vec3(0.0, 1.0, 0.5);
+    for (Bushing& bushing : plan.loads.bushings) {
+        // y is computed from z and x, as by the reader
+        for (Mat3* axes : {&bushing.axes_i_local, &bushing.axes_j_local}) {
+            axes->col(1) = axes->col(2).cross(axes->col(0));
+        }
+    }
+    plan.loads.bushings[1].rotational_stiffness = Vec3::Zero();
     for (const Joint& joint : m.joints) {
         if (joint.type->has_displacement()) {
             const DisplacementMeasure along = displacement_of(joint);

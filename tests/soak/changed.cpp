@@ -129,6 +129,7 @@ public:
         }
         for (Spring& s : loads.springs) { change(s); }
         for (RotationalSpring& s : loads.rotational_springs) { change(s); }
+        for (Bushing& b : loads.bushings) { change(b); }
     }
 
 private:
@@ -184,6 +185,18 @@ private:
         s.friction.speed *= c_.length / c_.time;
         const double force = stiffness() * c_.length;
         if (s.law) { scale(*s.law, c_.length, c_.length / c_.time, force); }
+    }
+    void change(Bushing& b) const {
+        point(b.P_i_local);
+        point(b.P_j_local);
+        for (Mat3* axes : {&b.axes_i_local, &b.axes_j_local}) {
+            // still right-handed
+            for (Eigen::Index k = 0; k < 3; ++k) { axes->col(k) = c_.hand() * c_.local(axes->col(k)); }
+        }
+        b.stiffness *= stiffness();
+        b.damping *= damping();
+        b.rotational_stiffness *= stiffness() * c_.length * c_.length;
+        b.rotational_damping *= damping() * c_.length * c_.length;
     }
     void change(RotationalSpring& s) const {
         const double sign = change(s.angle);
@@ -279,6 +292,10 @@ Generated played_backwards(Generated generated, double end) {
         s.friction.size = -s.friction.size;
         // backwards in time, the rate changes its sign
         if (s.law) { scale(*s.law, 1.0, -1.0, 1.0); }
+    }
+    for (Bushing& b : generated.loads.bushings) {
+        b.damping = -b.damping;
+        b.rotational_damping = -b.rotational_damping;
     }
     return generated;
 }

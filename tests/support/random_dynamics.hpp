@@ -45,6 +45,9 @@ inline Loads random_conservative_loads(Random& random, const Mechanism& mechanis
         loads.springs.push_back(
             {last - 1, last, along.vector(), along.vector(), along.number(1.0, 20.0), along.number(), 0.0,
              along.direction()});
+        loads.bushings.push_back(random_bushing(along, last - 1, last));
+        // its torque jumps where the bodies turn by half a turn against each other
+        loads.bushings.back().rotational_stiffness.setZero();
     }
     for (const Joint& joint : mechanism.joints) {
         if (joint.type->name != "revolute" && joint.type->name != "cylindrical") { continue; }
@@ -67,6 +70,7 @@ inline Loads random_loads(Random& random, const Mechanism& mechanism) {
         spring.damping = random.number(0.0, 2.0);
         spring.friction = {spring.damping, 9.0};
     }
+    for (Bushing& bushing : loads.bushings) { bushing.damping = Vec3(0.3, 1.1, 0.7); }
     for (int b = 0; b < static_cast<int>(mechanism.bodies.size()); ++b) {
         for (const Frame frame : {Frame::global, Frame::local}) {
             loads.forces.push_back({b, random.vector(), random.direction(), frame, random_function(random)});

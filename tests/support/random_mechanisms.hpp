@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "core/model/mechanism.hpp"
+#include "core/motion/loads.hpp"
 #include "tests/support/vector_formulas.hpp"
 
 /// Seeded random scenes for property tests.
@@ -179,6 +179,21 @@ inline Mechanism random_drivers(Random& random) {
     Random of_tables(static_cast<unsigned>(m.drivers.size()));
     for (Driver& driver : m.drivers) { driver.function.table = random_table(of_tables); }
     return m;
+}
+
+/// A bushing without damping, anywhere in its bodies.
+inline Bushing random_bushing(Random& random, int body_i, int body_j) {
+    Bushing out;
+    out.body_i = body_i;
+    out.body_j = body_j;
+    out.P_i_local = random.vector();
+    out.P_j_local = random.vector();
+    out.axes_i_local = rotation_matrix(random.unit_p());
+    out.axes_j_local = rotation_matrix(random.unit_p());
+    out.stiffness = Vec3(random.number(1.0, 20.0), random.number(1.0, 20.0), random.number(1.0, 20.0));
+    out.rotational_stiffness =
+        Vec3(random.number(1.0, 5.0), random.number(1.0, 5.0), random.number(1.0, 5.0));
+    return out;
 }
 
 }  // namespace jw::test

@@ -97,6 +97,10 @@ private:
             add_measure(s.angle);
             add(s.stiffness, s.damping, s.free_angle, s.friction.size, s.friction.speed);
         }
+        for (const Bushing& b : loads.bushings) {
+            add(b.P_i_local, b.P_j_local, b.axes_i_local, b.axes_j_local, b.stiffness, b.damping,
+                b.rotational_stiffness, b.rotational_damping);
+        }
     }
     void add_look(const Look& look) {
         for (const Shape& shape : look.shapes) {

@@ -53,7 +53,7 @@ bool keeps_energy(const Lesson& lesson) {
         return spring.damping != 0.0 || spring.friction.size != 0.0 || spring.law;
     };
     return loads.forces.empty() && loads.torques.empty() && std::ranges::none_of(loads.springs, damped) &&
-           loads.rotational_springs.empty() && lesson.mechanism.drivers.empty();
+           loads.rotational_springs.empty() && loads.bushings.empty() && lesson.mechanism.drivers.empty();
 }
 
 /// True if the last four settings have not halved an error below 1e-8: more steps do not help any more.

@@ -91,7 +91,8 @@ void add_vector(
 void add_distance(
     const PictureStyle& style, const Vec3& from, const Vec3& to, const std::string& name, Picture& picture);
 
-/// Springs as coils, dampers as dashpots, dry friction along an axis as pads, rotational springs as spirals.
+/// Springs as coils, dampers as dashpots, dry friction along an axis as pads, rotational springs as spirals,
+/// bushings as sleeves.
 void add_springs(const Lesson& lesson, const PictureStyle& style, const State& state, render::Scene& scene);
 
 /// Sets the lengths of the arrows of forces and torques from typical values of the story.

@@ -23,6 +23,11 @@ constexpr double kSpiralTurns = 2.5;
 constexpr double kPadDistance = 0.075;
 constexpr double kPadLength = 0.09;
 constexpr double kPadRadius = 0.02;
+constexpr render::Colour kRubber = render::from_hex(0x33383E);
+constexpr double kSleeveLength = 0.10;
+constexpr double kSleeveRadius = 0.05;
+constexpr double kSleevePin = 0.16;
+constexpr double kSleevePinRadius = 0.018;
 
 void add_wire(std::vector<Vec3> points, render::Scene& scene) {
     render::Polyline wire{std::move(points), kWireWidth, kWire};
@@ -97,6 +102,21 @@ void add_spiral(const PictureStyle& style, const PlacedJoint& j, render::Scene& 
     add_wire(std::move(points), scene);
 }
 
+/// Adds a sleeve of rubber in body i about a pin of body j, which leaves its middle as the rubber yields.
+void add_bushing(
+    const PictureStyle& style, const State& state, const Bushing& bushing, render::Scene& scene) {
+    const auto add = [&](int body, const Vec3& point_local, const Vec3& axis_local, double length,
+                         double radius, const render::Colour& colour) {
+        const BodyFrame frame = frame_of(state, body);
+        const Vec3 half = 0.5 * length * style.unit * frame.direction(axis_local);
+        const Vec3 middle = frame.point(point_local);
+        scene.shapes.push_back({render::Cylinder{middle - half, middle + half, radius * style.unit}, colour});
+    };
+    add(bushing.body_i, bushing.P_i_local, bushing.axes_i_local.col(2), kSleeveLength, kSleeveRadius,
+        kRubber);
+    add(bushing.body_j, bushing.P_j_local, bushing.axes_j_local.col(2), kSleevePin, kSleevePinRadius, kWire);
+}
+
 }  // namespace
 
 void add_springs(const Lesson& lesson, const PictureStyle& style, const State& state, render::Scene& scene) {
@@ -122,6 +142,9 @@ void add_springs(const Lesson& lesson, const PictureStyle& style, const State& s
             std::ranges::find_if(joints, [&](const Joint& j) { return acts_about(spring, j); });
         if (joint == joints.end()) { continue; }
         add_spiral(style, placed(lesson.mechanism, static_cast<int>(joint - joints.begin()), state), scene);
+    }
+    for (const Bushing& bushing : lesson.dynamics->loads.bushings) {
+        add_bushing(style, state, bushing, scene);
     }
 }
 

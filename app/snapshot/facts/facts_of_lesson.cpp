@@ -115,6 +115,19 @@ void add_spring(const RotationalSpring& spring, const std::string& name, FactLis
     if (spring.law) { facts.text(Weight::pose, name + " · law", spring.law->source); }
 }
 
+void add_spring(const Bushing& bushing, const std::string& name, FactList& facts) {
+    facts.given(Weight::pose, name + " · from", bushing.P_i_local, "m");
+    facts.given(Weight::pose, name + " · to", bushing.P_j_local, "m");
+    for (const auto& [word, axis] : {std::pair{"x", 0}, {"z", 2}}) {
+        facts.given(Weight::pose, name + " · " + word + " in the first", bushing.axes_i_local.col(axis), "");
+        facts.given(Weight::pose, name + " · " + word + " in the second", bushing.axes_j_local.col(axis), "");
+    }
+    facts.given(Weight::pose, name + " · stiffness", bushing.stiffness, "N/m");
+    facts.given(Weight::pose, name + " · damping", bushing.damping, "N s/m");
+    facts.given(Weight::pose, name + " · rotational stiffness", bushing.rotational_stiffness, "N m/rad");
+    facts.given(Weight::pose, name + " · rotational damping", bushing.rotational_damping, "N m s/rad");
+}
+
 template <class Springs>
 void add_springs(const Springs& springs, const Mechanism& mechanism, const char* kind, FactList& facts) {
     for (std::size_t k = 0; k < springs.size(); ++k) {
@@ -145,6 +158,7 @@ void add_loads(const Loads& loads, const Mechanism& mechanism, FactList& facts) 
     add_springs(loads.springs, mechanism, "spring", facts);
     add_springs(loads.rotational_springs, mechanism, "rotational spring", facts);
     add_axes(loads, mechanism, facts);
+    add_springs(loads.bushings, mechanism, "bushing", facts);
 }
 
 void add_mass(const MassProperties& mass, const std::string& name, FactList& facts) {

@@ -212,7 +212,7 @@ TEST_CASE("Rows left out are as many as the rank says", "[core][dynamics]") {
              {test::rssr(0.7), 0}}) {
         test::Random random(7);
         const Centroidal scene =
-            centroidal(c.mechanism, Loads{test::random_masses(random, c.mechanism), {}, {}, {}, {}, {}});
+            centroidal(c.mechanism, Loads{test::random_masses(random, c.mechanism), {}, {}, {}, {}, {}, {}});
         for (const CoordinateChoice choice :
              {CoordinateChoice::omega_local, CoordinateChoice::omega_global,
               CoordinateChoice::true_euler_parameters, CoordinateChoice::modified_euler_parameters}) {

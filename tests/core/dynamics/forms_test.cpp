@@ -110,7 +110,7 @@ TEST_CASE(
     test::Random random(4);
     for (const Mechanism& mechanism : {test::four_bar_at(0.7), test::rssr(0.7), test::random_tree(random)}) {
         const Centroidal scene =
-            centroidal(mechanism, Loads{test::random_masses(random, mechanism), {}, {}, {}, {}, {}});
+            centroidal(mechanism, Loads{test::random_masses(random, mechanism), {}, {}, {}, {}, {}, {}});
         const std::vector<double> y = flat_start(scene.mechanism);
         const auto block = block_equations(scene);
         block->choose_rows(0.0, y.data());
@@ -139,7 +139,7 @@ TEST_CASE("A driver of the block equations prescribes the value that was set", "
     mechanism.drivers.back().function = test::polynomial({0.2});
     test::Random random(5);
     const Centroidal scene =
-        centroidal(mechanism, Loads{test::random_masses(random, mechanism), {}, {}, {}, {}, {}});
+        centroidal(mechanism, Loads{test::random_masses(random, mechanism), {}, {}, {}, {}, {}, {}});
     const std::vector<double> y = flat_start(scene.mechanism);
     const auto block = block_equations(scene);
     const double f = mechanism.drivers.front().function.polynomial.front();
@@ -157,7 +157,7 @@ TEST_CASE("A single row of the block equations keeps all of itself", "[core][dyn
     builder.add_body("body", random.vector());
     builder.add_distance(0, 1, random.vector(), random.vector() + Vec3(3.0, 0.0, 0.0));
     const Centroidal scene = centroidal(
-        builder.mechanism, Loads{test::random_masses(random, builder.mechanism), {}, {}, {}, {}, {}});
+        builder.mechanism, Loads{test::random_masses(random, builder.mechanism), {}, {}, {}, {}, {}, {}});
     const std::vector<double> y = flat_start(scene.mechanism);
     std::vector<double> y_dot(y.size());
     const auto block = block_equations(scene);
@@ -171,7 +171,7 @@ TEST_CASE("The block equations begin with the turns that a nut's place tells", "
     const Mechanism mechanism = test::screw(0.7, alpha, ScrewAngleForm::rotation);
     test::Random random(7);
     const Centroidal scene =
-        centroidal(mechanism, Loads{test::random_masses(random, mechanism), {}, {}, {}, {}, {}});
+        centroidal(mechanism, Loads{test::random_masses(random, mechanism), {}, {}, {}, {}, {}, {}});
     const std::vector<double> y = flat_start(scene.mechanism);
     const auto block = block_equations(scene);
     block->choose_rows(0.0, y.data());
@@ -202,7 +202,7 @@ TEST_CASE("Joint coordinates know the turns of a screw that closes a loop", "[co
     const Mechanism& mechanism = lathe.mechanism;
     test::Random random(7);
     const Centroidal scene =
-        centroidal(mechanism, Loads{test::random_masses(random, mechanism), {}, {}, {}, {}, {}});
+        centroidal(mechanism, Loads{test::random_masses(random, mechanism), {}, {}, {}, {}, {}, {}});
     const std::vector<double> flat = flat_start(scene.mechanism);
     TreeEquations tree(scene, flat);
     REQUIRE(tree.rows() > 0);

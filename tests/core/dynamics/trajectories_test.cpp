@@ -107,6 +107,7 @@ TEST_CASE("What loads and dampers put in is what the energy grows by", "[core][d
         active.gravity.setZero();
         for (Spring& spring : active.springs) { spring.stiffness = 0.0; }
         for (RotationalSpring& spring : active.rotational_springs) { spring.stiffness = 0.0; }
+        for (Bushing& bushing : active.bushings) { bushing.stiffness.setZero(); }
         const test::Moment start = test::random_moment(random, scene, 0.0, 0.02);
         DenseEquations<OmegaLocal> e(scene);
         const auto size = static_cast<std::size_t>(e.size());

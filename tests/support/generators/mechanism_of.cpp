@@ -295,6 +295,13 @@ private:
                     spring.friction = {0.1 * damping * lighter, 0.3};
                     spring.law = sine_law(0.1 * damping * lighter, 0.01 * damping * lighter, "\\theta");
                 }
+                if (recipe.kind % 8 >= 4) {
+                    // it does not resist turning: its rotation vector jumps where a body turns by half a turn
+                    const Vec3 share(random.number(0.1, 1.0), random.number(0.1, 1.0), 0.0);
+                    out_.loads.bushings.push_back(
+                        {i, j, random.vector(L), random.vector(L), rotation_matrix(random.unit_p()),
+                         Mat3::Identity(), 10.0 * lightest * share, damping * lightest * share});
+                }
                 break;
             }
             case 2:

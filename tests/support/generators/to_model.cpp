@@ -278,6 +278,18 @@ void write_loads(const Loads& loads, general::Model& model) {
             {angle_between(s.body_i, s.body_j, s.angle.s_i_local, s.angle.u_i_local, s.angle.u_j_local),
              s.stiffness, s.free_angle, s.damping, real(s.friction), law_of(s.law)});
     }
+    for (const Bushing& b : loads.bushings) {
+        // three springs along its axes; those of the generator do not resist turning
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            model.springs.push_back(
+                {{b.body_i, real(b.P_i_local)},
+                 {b.body_j, real(b.P_j_local)},
+                 b.stiffness[k],
+                 0.0L,
+                 b.damping[k],
+                 general::Fixed{b.body_i, real(Vec3(b.axes_i_local.col(k)))}});
+        }
+    }
 }
 
 general::Body body_of(const Body& body, const std::optional<MassProperties>& mass) {
