@@ -2,7 +2,7 @@
 # Component jointwise is the program; component jointwise-dev is the library for other programs.
 include(GNUInstallDirs)
 
-# lessons/files/data_folder.cpp looks for ../share/jointwise from the folder of the program
+# lessons/files/catalogue.cpp looks for ../share/jointwise from the folder of the program
 set(JW_INSTALL_DATA share/jointwise)
 
 # libraries of the tarball; Debian's packages do not have this folder, and use the libraries of the system

@@ -13,7 +13,7 @@ std::vector<Mistake> mistakes_of(const jw::ReadResult& read) {
     std::vector<Mistake> mistakes;
     for (const jw::Diagnostic& d : read.diagnostics) {
         if (d.severity != jw::Severity::error) { continue; }
-        const std::string code(jw::entry_of(d.code).printed);
+        const std::string code = to_string(d.code);
         mistakes.push_back({d.file, d.span.line, d.span.column, code, d.message, d.hint});
     }
     return mistakes;

@@ -14,7 +14,6 @@
 #include "app/site/page_frame.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/files/catalogue.hpp"
-#include "lessons/files/data_folder.hpp"
 
 namespace jw {
 

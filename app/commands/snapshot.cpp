@@ -56,8 +56,8 @@ snapshot::GoldenFolder folder_of(const SnapshotOptions& options, const snapshot:
 }
 
 SnapshotRules rules_of(const SnapshotOptions& options) {
-    SnapshotRulesRead read = read_snapshot_rules(fs::path(options.golden) / "rules.toml");
-    if (!read.rules) { throw FaultyFile(read.report, std::move(read.diagnostics)); }
+    const SnapshotRulesRead read = read_snapshot_rules(fs::path(options.golden) / "rules.toml");
+    if (!read.rules) { throw FaultyFile(read.report(), read.diagnostics); }
     return *read.rules;
 }
 

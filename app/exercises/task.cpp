@@ -8,7 +8,7 @@
 #include "app/exercises/formulas/mistakes.hpp"
 #include "app/exercises/random.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
-#include "lessons/text/translatable.hpp"
+#include "lessons/text/text.hpp"
 
 namespace jw {
 

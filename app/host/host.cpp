@@ -13,7 +13,7 @@
 #include "app/session/try/carry_out.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
-#include "lessons/exercise/for_each_text.hpp"
+#include "lessons/lesson/in_language.hpp"
 
 namespace jw::host {
 

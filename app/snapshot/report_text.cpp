@@ -6,7 +6,7 @@
 #include "app/snapshot/reports.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/lesson/enum_words.hpp"
-#include "lessons/text/printable.hpp"
+#include "lessons/text/utf8.hpp"
 
 namespace jw::snapshot {
 

@@ -5,11 +5,18 @@
 #include <numeric>
 #include <utility>
 
-#include "lessons/text/printable.hpp"
+#include "lessons/text/utf8.hpp"
 
 namespace jw {
 
 namespace {
+
+constexpr std::string_view kPrefix = "JW";
+
+bool begins_with_prefix(std::string_view text) {
+    return text.size() > kPrefix.size() && (text[0] == 'J' || text[0] == 'j') &&
+           (text[1] == 'W' || text[1] == 'w');
+}
 
 // a longer name is not a typing mistake
 constexpr std::size_t kLongestGuess = 60;
@@ -28,8 +35,6 @@ std::string_view line_of(std::string_view source, int line) {
     if (text.ends_with('\r')) { text.remove_suffix(1); }
     return text;
 }
-
-bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
 int characters_in(std::string_view text) {
     return static_cast<int>(std::ranges::count_if(text, starts_character));
@@ -89,13 +94,33 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::vector<Code> all_codes() {
+    std::vector<Code> codes;
+    for (const CodeGroup& group : kCodeGroups) {
+        for (int number = static_cast<int>(group.first); number <= static_cast<int>(group.last); ++number) {
+            codes.push_back(static_cast<Code>(number));
+        }
+    }
+    return codes;
+}
+
+std::string to_string(Code code) { return std::string(kPrefix) + std::to_string(static_cast<int>(code)); }
+
+std::optional<Code> read_code(std::string_view text) {
+    if (begins_with_prefix(text)) { text.remove_prefix(kPrefix.size()); }
+    for (const Code code : all_codes()) {
+        if (to_string(code).substr(kPrefix.size()) == text) { return code; }
+    }
+    return std::nullopt;
+}
+
 std::string to_string(const Diagnostic& diagnostic, std::string_view source) {
     std::string text = diagnostic.file;
     if (diagnostic.span.line > 0) {
         text += ':' + std::to_string(diagnostic.span.line) + ':' + std::to_string(diagnostic.span.column);
     }
     text += diagnostic.severity == Severity::error ? ": error: " : ": warning: ";
-    text += diagnostic.message + " [" + std::string(entry_of(diagnostic.code).printed) + "]\n";
+    text += diagnostic.message + " [" + to_string(diagnostic.code) + "]\n";
     const std::string_view line = line_of(source, diagnostic.span.line);
     if (diagnostic.span.line > 0 && !line.empty()) { text += underlined(line, diagnostic.span); }
     if (!diagnostic.hint.empty()) { text += "  hint: " + diagnostic.hint + '\n'; }
@@ -125,18 +150,6 @@ std::string comma_list(std::span<const std::string> names) {
     }
     if (names.size() > kMostListed) { text += ", ... (" + std::to_string(names.size()) + " in all)"; }
     return text;
-}
-
-std::string printable(std::string_view text) {
-    std::string out(text);
-    std::ranges::replace_if(
-        out, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }, ' ');
-    // U+0080 to U+009F: some terminals take U+009B for the beginning of a command
-    for (std::size_t k = 0; k + 1 < out.size(); ++k) {
-        const bool control = out[k] == '\xc2' && static_cast<unsigned char>(out[k + 1]) < 0xA0U;
-        if (control) { out.replace(k, 2, "  "); }
-    }
-    return out;
 }
 
 std::string in_quotes(std::string_view text) {

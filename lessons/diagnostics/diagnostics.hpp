@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lessons/diagnostics/codes.hpp"
-#include "lessons/diagnostics/source_span.hpp"
+#include "lessons/diagnostics/text_place.hpp"
 
 /// Diagnostics of a lesson file: where something is wrong, what is wrong, what was expected and what to do.
 namespace jw {

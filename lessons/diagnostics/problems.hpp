@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,10 @@ struct Located {
     SourceSpan span;
 };
 
+/// The value of a key; nothing if the key is absent or its value is wrong.
+template <class T>
+using IfGiven = std::optional<Located<T>>;
+
 /// Collects the errors and warnings of a file.
 class Problems {
 public:
@@ -27,9 +32,13 @@ public:
 
     const std::string& source() const { return *source_; }
 
-    void add(Code code, const SourceSpan& span, std::string message, std::string hint = {});
     /// A warning does not prevent the lesson from being read.
-    void warn(Code code, const SourceSpan& span, std::string message, std::string hint = {});
+    void add(
+        Code code, const SourceSpan& span, std::string message, std::string hint = {},
+        Severity severity = Severity::error);
+    void warn(Code code, const SourceSpan& span, std::string message, std::string hint = {}) {
+        add(code, span, std::move(message), std::move(hint), Severity::warning);
+    }
 
     int errors_count() const { return errors_count_; }
     /// True at kMostProblems: nobody reads more, so looking for more is not worth the time.

@@ -3,11 +3,11 @@
 #include <cctype>
 #include <string>
 
+#include "lessons/text/utf8.hpp"
+
 namespace jw {
 
 namespace {
-
-bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
 /// A position in the file, with its line and column.
 class Cursor {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "lessons/fields/toml_text.hpp"
+#include "lessons/fields/fields.hpp"
 #include "lessons/files/catalogue.hpp"
 #include "lessons/files/file_text.hpp"
 
@@ -14,10 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kLargestIndexed = 2U << 20U;
-
-void append(std::vector<IndexedExercise>& all, const fs::path& file) {
-    std::ranges::move(exercises_named_in(file), std::back_inserter(all));
-}
 
 }  // namespace
 
@@ -42,7 +38,7 @@ std::vector<IndexedExercise> exercises_named_in(const fs::path& file) {
     // most lessons have no exercise: parsing them all would cost as much as reading them
     if (read.text.find("exercise") == std::string::npos) { return {}; }
     Problems problems(file.string(), read.text);
-    const auto table = reading::parse_toml(read.text, problems);
+    const auto table = parse_toml(read.text, problems);
     const toml::array* const list = table ? (*table)["exercise"].as_array() : nullptr;
     if (list == nullptr) { return {}; }
     const bool in_lesson = table->contains("body") || table->contains("joint");
@@ -84,8 +80,11 @@ std::vector<fs::path> exercise_files_of(const fs::path& lessons_folder) {
 
 std::vector<IndexedExercise> exercises_of_course(const fs::path& lessons_folder) {
     std::vector<IndexedExercise> all;
-    for (const fs::path& file : exercise_files_of(lessons_folder)) { append(all, file); }
-    for (const fs::path& file : lessons_below(lessons_folder)) { append(all, file); }
+    std::vector<fs::path> files = exercise_files_of(lessons_folder);
+    std::ranges::move(lessons_below(lessons_folder), std::back_inserter(files));
+    for (const fs::path& file : files) {
+        std::ranges::move(exercises_named_in(file), std::back_inserter(all));
+    }
     return all;
 }
 

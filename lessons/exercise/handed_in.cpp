@@ -5,9 +5,10 @@
 #include <set>
 #include <sstream>
 
+#include "lessons/exercise/scene_nodes.hpp"
 #include "lessons/fields/fields.hpp"
-#include "lessons/fields/toml_text.hpp"
 #include "lessons/files/file_text.hpp"
+#include "lessons/typed/exact_text.hpp"
 
 namespace jw {
 
@@ -22,17 +23,8 @@ constexpr std::size_t kShortestSecret = 8;
 constexpr std::size_t kMostAnswers = 1000;
 constexpr std::size_t kMostEntries = 5000;
 
-std::string report_of(Problems& problems, const std::string& source) {
-    std::string text;
-    for (const Diagnostic& diagnostic : problems.take()) { text += to_string(diagnostic, source); }
-    return text;
-}
-
 std::string as_text(const toml::node& node) {
-    if (const auto text = node.value<std::string>(); text && node.is_string()) { return *text; }
-    std::ostringstream out;
-    node.visit([&](const auto& value) { out << value; });
-    return out.str();
+    return node.is_string() ? node.as_string()->get() : node_text(node);
 }
 
 GivenText given_in(const toml::node& node) {
@@ -71,6 +63,27 @@ bool is_head(std::string field) {
     return std::ranges::find(kHeads, field) != kHeads.end();
 }
 
+constexpr int kMostCounted = 1000000000;
+
+int count_in(Fields& fields, std::string_view key) {
+    const auto count = fields.integer(key, 0, kMostCounted);
+    return count ? count->value : 0;
+}
+
+void read_records(Fields& root, ExerciseRecords& records) {
+    for (Fields& fields : root.tables("exercise")) {
+        fields.require("name", "the key of an exercise");
+        const auto name = fields.text("name");
+        ExerciseRecord record;
+        record.tried = count_in(fields, "tried");
+        record.solved = count_in(fields, "solved");
+        record.streak = count_in(fields, "streak");
+        record.variant = count_in(fields, "variant");
+        fields.finish();
+        if (name) { records[name->value] = record; }
+    }
+}
+
 }  // namespace
 
 CourseKey read_course_key(const fs::path& path) {
@@ -81,9 +94,9 @@ CourseKey read_course_key(const fs::path& path) {
                       "; expected the key of a course, a file with format = 1 and secret = \"some words\"\n";
         return key;
     }
-    Problems problems(path.string(), file.text);
-    if (const auto table = reading::parse_toml(file.text, problems)) {
-        Fields root(*table, "the key", problems);
+    FileRead read;
+    read_toml(read, std::move(file.text), path.string(), [&](const toml::table& table, Problems& problems) {
+        Fields root(table, "the key", problems);
         root.require("format", "format = 1 as the first key");
         root.integer("format", 1, 1);
         root.require("secret", "words that nobody guesses; all numbers of the course follow from them");
@@ -100,17 +113,16 @@ CourseKey read_course_key(const fs::path& path) {
             }
         }
         root.finish();
-    }
-    key.problem = report_of(problems, file.text);
+    });
+    key.problem = read.report();
     return key;
 }
 
 HandedIn read_answers_text(std::string text) {
     HandedIn handed;
-    std::string source = std::move(text);
-    Problems problems(kAnswersFile, source);
-    if (const auto table = reading::parse_toml(source, problems)) {
-        Fields root(*table, "the answers", problems);
+    FileRead read;
+    read_toml(read, std::move(text), kAnswersFile, [&](const toml::table& table, Problems& problems) {
+        Fields root(table, "the answers", problems);
         root.has("format");
         root.require("student", "the name under which the sheet was made");
         if (const auto student = root.text("student")) {
@@ -118,19 +130,19 @@ HandedIn read_answers_text(std::string text) {
             const std::string fault = fault_of_student(student->value);
             if (!fault.empty()) { problems.add(Code::faulty_name, student->span, fault); }
         }
-        const toml::table* const answers = (*table)["answers"].as_table();
+        const toml::table* const answers = table["answers"].as_table();
         root.has("answers");
         if (answers == nullptr || answers->size() > kMostAnswers) {
             problems.add(
                 Code::missing_key, root.span(),
                 "there is no table [answers]; expected one with up to 1000 answers");
-        } else {
-            for (const auto& [name, value] : *answers) {
-                handed.answers[std::string(name.str())] = given_in(value);
-            }
+            return;
         }
-    }
-    handed.problem = report_of(problems, source);
+        for (const auto& [name, value] : *answers) {
+            handed.answers[std::string(name.str())] = given_in(value);
+        }
+    });
+    handed.problem = read.report();
     return handed;
 }
 
@@ -174,6 +186,38 @@ std::string fault_of_student(const std::string& student) {
     return good ? std::string()
                 : in_quotes(student) +
                       " cannot be the name of a student; expected up to 80 letters, digits and - _ . @ +";
+}
+
+std::string progress_text(const ExerciseRecords& records) {
+    std::string text = "# Exercises tried in the window of Jointwise.\nformat = 1\nfile = \"progress\"\n";
+    for (const auto& [key, record] : records) {
+        text += "\n[[exercise]]\nname = " + writing::string_text(key) +
+                "\ntried = " + std::to_string(record.tried) + "\nsolved = " + std::to_string(record.solved) +
+                "\nstreak = " + std::to_string(record.streak) +
+                "\nvariant = " + std::to_string(record.variant) + "\n";
+    }
+    return text;
+}
+
+ProgressRead read_progress(std::string text) {
+    ProgressRead read;
+    FileRead file;
+    read_toml(file, std::move(text), "progress.toml", [&](const toml::table& table, Problems& problems) {
+        Fields root(table, "the progress", problems);
+        static const std::vector<std::string> kWords{"progress"};
+        root.require("format", "format = 1");
+        root.integer("format", 1, 1);
+        root.require("file", "file = \"progress\"");
+        root.word("file", kWords);
+        read_records(root, read.records);
+        root.finish();
+    });
+    if (!file.diagnostics.empty()) {
+        const Diagnostic& first = file.diagnostics.front();
+        read.records.clear();
+        read.problem = "line " + std::to_string(first.span.line) + ": " + first.message;
+    }
+    return read;
 }
 
 }  // namespace jw

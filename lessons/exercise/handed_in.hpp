@@ -7,7 +7,8 @@
 
 #include "lessons/lesson/exercise.hpp"
 
-/// Files around exercises: the key of a course, the answers of a student, the list of a class.
+/// Files around exercises: the key of a course, the answers of a student, the list of a class, and what a
+/// student has solved.
 namespace jw {
 
 /// Name of the file with the answers in a student's folder.
@@ -45,5 +46,26 @@ Roster read_roster(const std::filesystem::path& path);
 
 /// Why this name of a student is not valid, as folders are named after students; empty if it is valid.
 std::string fault_of_student(const std::string& student);
+
+/// Results of an exercise so far.
+struct ExerciseRecord {
+    int tried = 0;    ///< answers that were judged
+    int solved = 0;   ///< variants answered correctly before their solution was shown
+    int streak = 0;   ///< how many of these in a row, up to now
+    int variant = 0;  ///< number of the variant that comes next
+
+    bool operator==(const ExerciseRecord&) const = default;
+};
+/// By the keys of exercises.
+using ExerciseRecords = std::map<std::string, ExerciseRecord>;
+
+/// The text of the file: the records and nothing else.
+std::string progress_text(const ExerciseRecords& records);
+
+struct ProgressRead {
+    ExerciseRecords records;
+    std::string problem;  ///< why the text is not a progress file, as part of a sentence; empty if it is
+};
+ProgressRead read_progress(std::string text);
 
 }  // namespace jw

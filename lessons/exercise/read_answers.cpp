@@ -1,10 +1,9 @@
 #include <array>
 #include <cmath>
-#include <sstream>
 
-#include "lessons/exercise/read_exercise_parts.hpp"
 #include "lessons/exercise/read_exercises.hpp"
 #include "lessons/exercise/scene_edits.hpp"
+#include "lessons/exercise/scene_nodes.hpp"
 #include "lessons/format/claim_keys.hpp"
 #include "lessons/read/reader.hpp"
 #include "lessons/typed/exact_text.hpp"
@@ -16,28 +15,16 @@ namespace {
 constexpr std::size_t kMostItems = 10;
 constexpr std::size_t kMostEdits = 50;
 
-std::string text_of_table(const toml::table& table) {
-    std::ostringstream out;
-    out << toml::toml_formatter{table};
-    return out.str() + "\n";
-}
-
 /// A value as its author may have written it: toml++ writes 0.4 as 0.40000000000000002.
 std::string value_text(const toml::node& node) {
-    if (const toml::array* const array = node.as_array()) {
-        std::string list;
-        for (const toml::node& entry : *array) { list += (list.empty() ? "" : ", ") + value_text(entry); }
-        return "[" + list + "]";
-    }
+    if (const toml::array* const array = node.as_array()) { return writing::list_text(*array, value_text); }
     const toml::value<double>* const number = node.as_floating_point();
     if (number != nullptr && std::isfinite(number->get())) {
         const std::string text = writing::number_text(number->get());
         // a TOML number that is not an integer must not become one
         return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
     }
-    std::ostringstream out;
-    node.visit([&](const auto& value) { out << value; });
-    return out.str();
+    return node_text(node);
 }
 
 /// Copies the keys of [[expect]] that are present.
@@ -45,6 +32,22 @@ void copy_keys(Fields& fields, std::span<const Key> keys, toml::table& to) {
     for (const Key& key : keys) {
         if (const toml::node* const node = fields.raw(key.name)) { to.insert(key.name, *node); }
     }
+}
+
+/// A node as TOML; empty if the key is not there.
+std::string toml_of(Fields& fields, std::string_view key) {
+    const toml::node* const node = fields.raw(key);
+    if (node == nullptr) { return {}; }
+    return value_text(*node);
+}
+
+/// The entries of a list, each as TOML.
+std::vector<std::string> list_of_toml(Fields& fields, std::string_view key) {
+    std::vector<std::string> entries;
+    const toml::node* const node = fields.raw(key);
+    if (node == nullptr || !node->is_array()) { return entries; }
+    for (const toml::node& entry : *node->as_array()) { entries.push_back(value_text(entry)); }
+    return entries;
 }
 
 /// Reads the scene with these claims; mistakes in them are reported at the exercise.
@@ -55,9 +58,19 @@ void check_claims_of(
     const ReadResult read = read_lesson_with_claims(exercise.scene, exercise.scene_name, claims);
     if (read.lesson) { return; }
     const Diagnostic& first = read.diagnostics.front();
-    fields.problems().add(
+    fields.report(
         Code::exercise_answer, fields.span(), std::string(what) + " does not fit the scene: " + first.message,
         first.hint);
+}
+
+/// The texts under a key, without their places.
+std::vector<std::string> plain_texts(Fields& fields, std::string_view key) {
+    std::vector<std::string> texts;
+    const auto given = fields.texts(key);
+    for (const auto& text : given ? given->value : std::vector<Located<std::string>>()) {
+        texts.push_back(text.value);
+    }
+    return texts;
 }
 
 void read_formula_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
@@ -69,14 +82,8 @@ void read_formula_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
         exercise.formula = "p = p";
     }
     copy_keys(fields, format::kSubjectOfFormula, claim);
-    if (const auto where = fields.texts("where")) {
-        for (const Located<std::string>& definition : where->value) {
-            exercise.where.push_back(definition.value);
-        }
-    }
-    if (const auto given = fields.texts("given")) {
-        for (const Located<std::string>& symbol : given->value) { exercise.given.push_back(symbol.value); }
-    }
+    exercise.where = plain_texts(fields, "where");
+    exercise.given = plain_texts(fields, "given");
 }
 
 void read_quantity_keys(Fields& fields, Exercise& exercise, toml::table& claim) {
@@ -119,19 +126,15 @@ void read_asked(Fields& fields, Exercise& exercise) {
     }
     toml::table claims;
     claims.insert("expect", toml::array{claim});
-    exercise.asked = text_of_table(claims);
+    exercise.asked = table_text(claims);
     check_claims_of(fields, exercise, exercise.asked, "what is asked");
 }
 
 void read_computed(Fields& fields, Exercise& exercise) {
     read_asked(fields, exercise);
     if (const auto unit = fields.text("unit")) { exercise.unit = unit->value; }
-    if (const auto only = fields.texts("mistakes")) {
-        for (const Located<std::string>& name : only->value) { exercise.only.push_back(name.value); }
-    }
-    if (const auto branch = fields.texts("branch")) {
-        for (const Located<std::string>& action : branch->value) { exercise.branch.push_back(action.value); }
-    }
+    exercise.only = plain_texts(fields, "mistakes");
+    exercise.branch = plain_texts(fields, "branch");
     if (const auto cases = fields.integer("cases")) { exercise.cases = cases->value; }
 }
 
@@ -148,7 +151,7 @@ void read_choices(Fields& fields, Exercise& exercise) {
         exercise.choices.push_back(std::move(read));
     }
     if (exercise.choices.size() < 2) {
-        fields.problems().add(
+        fields.report(
             Code::wrong_count, fields.span("choices"),
             "expected two choices or more, one of them with right = true");
     }
@@ -160,7 +163,7 @@ void read_items(Fields& fields, Exercise& exercise) {
     if (!items) { return; }
     exercise.items = items->value;
     if (exercise.items.size() < 3 || exercise.items.size() > kMostItems) {
-        fields.problems().add(
+        fields.report(
             Code::wrong_count, items->span, "expected 3 to " + std::to_string(kMostItems) + " items");
     }
 }
@@ -170,7 +173,7 @@ void read_hidden(Fields& fields, Exercise& exercise) {
     if (const toml::node* const expect = fields.raw("expect")) {
         toml::table claims;
         claims.insert("expect", *expect);
-        exercise.expect = text_of_table(claims);
+        exercise.expect = table_text(claims);
         check_claims_of(fields, exercise, exercise.expect, "what is expected");
     }
     if (const auto most = fields.integer("most")) { exercise.most = most->value; }
@@ -182,18 +185,69 @@ void read_spoil(Fields& fields, Exercise& exercise) {
     exercise.spoil = read_edits(fields, "spoil");
     const EditedScene sick = with_edits(exercise.scene, exercise.spoil);
     if (!exercise.scene.empty() && !sick.problem.empty()) {
-        fields.problems().add(
+        fields.report(
             Code::exercise_edit, fields.span("spoil"), sick.problem + "; expected keys of the scene");
     }
 }
 
-std::vector<std::string> read_actions(Fields& fields) {
-    std::vector<std::string> actions;
-    fields.require("do", "a list of experiments that solves it");
-    if (const auto list = fields.texts("do")) {
-        for (const Located<std::string>& action : list->value) { actions.push_back(action.value); }
+constexpr std::size_t kMostDraws = 20;
+constexpr double kMostSteps = 1e6;
+
+void read_keys(Fields& fields, const Exercise& exercise, Draw& draw) {
+    fields.at_most_one({"key", "keys"});
+    if (!fields.has("keys")) { fields.require("key", "what is drawn, such as \"joint.B.axis\""); }
+    std::vector<Located<std::string>> keys;
+    if (const auto key = fields.text("key")) { keys.push_back(*key); }
+    if (const auto list = fields.texts("keys")) { keys = list->value; }
+    for (const Located<std::string>& key : keys) {
+        if (!exercise.scene.empty() && value_in(exercise.scene, key.value).empty()) {
+            fields.report(
+                Code::exercise_edit, key.span,
+                "the scene has no " + in_quotes(key.value) +
+                    "; expected a key that is there, by the names "
+                    "of its tables",
+                "for example \"joint.hinge.axis\" or \"body.crank.rotation.angle_deg\"");
+        }
+        draw.keys.push_back(key.value);
     }
-    return actions;
+}
+
+void read_range(Fields& fields, Draw& draw) {
+    fields.require("from", "the smallest value");
+    fields.require("to", "the largest value");
+    const auto from = fields.number("from");
+    const auto to = fields.number("to");
+    const auto step = fields.positive("step");
+    const auto count = fields.integer("count");
+    if (!from || !to) { return; }
+    draw.kind = Draw::Kind::numbers;
+    draw.from = from->value;
+    draw.to = to->value;
+    draw.step = step ? step->value : 1.0;
+    draw.count = count ? count->value : 1;
+    if (draw.to <= draw.from || (draw.to - draw.from) / draw.step > kMostSteps) {
+        fields.report(
+            Code::out_of_range, to->span, "'to' has to be above 'from', by at most a million steps");
+    }
+}
+
+Draw read_draw(Fields& fields, const Exercise& exercise) {
+    Draw draw;
+    fields.call("the draw");
+    read_keys(fields, exercise, draw);
+    fields.at_most_one({"values", "from", "nice"});
+    if (const auto nice = fields.word("nice")) {
+        draw.kind = *nice == 0 ? Draw::Kind::direction : Draw::Kind::euler_parameters;
+    } else if (fields.has("values")) {
+        draw.values = list_of_toml(fields, "values");
+        if (draw.values.size() < 2) {
+            fields.report(Code::wrong_count, fields.span("values"), "expected a list of two values or more");
+        }
+    } else {
+        read_range(fields, draw);
+    }
+    fields.finish();
+    return draw;
 }
 
 }  // namespace
@@ -210,20 +264,6 @@ std::vector<SceneEdit> read_edits(Fields& fields, std::string_view key) {
         edits.push_back(std::move(change));
     }
     return edits;
-}
-
-std::string toml_of(Fields& fields, std::string_view key) {
-    const toml::node* const node = fields.raw(key);
-    if (node == nullptr) { return {}; }
-    return value_text(*node);
-}
-
-std::vector<std::string> list_of_toml(Fields& fields, std::string_view key) {
-    std::vector<std::string> entries;
-    const toml::node* const node = fields.raw(key);
-    if (node == nullptr || !node->is_array()) { return entries; }
-    for (const toml::node& entry : *node->as_array()) { entries.push_back(value_text(entry)); }
-    return entries;
 }
 
 void read_answer(Fields& fields, Exercise& exercise) {
@@ -244,9 +284,17 @@ void read_answer(Fields& fields, Exercise& exercise) {
             return;
         case ExerciseKind::experiment:
             read_hidden(fields, exercise);
-            exercise.does = read_actions(fields);
+            fields.require("do", "a list of experiments that solves it");
+            exercise.does = plain_texts(fields, "do");
             return;
     }
+}
+
+void read_draws(Fields& fields, Exercise& exercise) {
+    for (Fields& draw : fields.tables("vary", kMostDraws)) {
+        exercise.vary.push_back(read_draw(draw, exercise));
+    }
+    if (const auto limit = fields.positive("condition_below")) { exercise.condition_below = limit->value; }
 }
 
 }  // namespace jw::reading

@@ -5,9 +5,8 @@
 #include <sstream>
 
 #include "lessons/exercise/exercise_index.hpp"
-#include "lessons/exercise/read_exercise_parts.hpp"
 #include "lessons/exercise/scene_edits.hpp"
-#include "lessons/fields/toml_text.hpp"
+#include "lessons/fields/fields.hpp"
 #include "lessons/files/file_text.hpp"
 #include "lessons/format/exercise_keys.hpp"
 #include "lessons/read/reader.hpp"
@@ -39,13 +38,13 @@ void read_exercise_name(Fields& fields, std::set<std::string>& names, Exercise& 
     fields.call("exercise " + in_quotes(name->value));
     exercise.name = name->value;
     if (!is_name(name->value)) {
-        fields.problems().add(
+        fields.report(
             Code::faulty_name, name->span,
             in_quotes(name->value) +
                 " cannot be the name of a file; expected up to 60 letters, digits, "
                 "'-' and '_'");
     } else if (!names.insert(name->value).second) {
-        fields.problems().add(
+        fields.report(
             Code::taken_name, name->span,
             "there are two exercises " + in_quotes(name->value) + "; expected each name once");
     }
@@ -60,7 +59,7 @@ void read_question(Fields& fields, Exercise& exercise) {
     exercise.why.drop_line_feeds();
     if (const auto hints = fields.list_of_words("hints")) {
         if (hints->value.size() > kMostHints) {
-            fields.problems().add(
+            fields.report(
                 Code::wrong_count, hints->span, "expected at most " + std::to_string(kMostHints) + " hints");
         }
         exercise.hints = hints->value;
@@ -78,7 +77,7 @@ void read_frame(Fields& fields, Exercise& exercise) {
     if (const auto points = fields.positive("points")) {
         exercise.points = points->value;
         if (points->value > kMostPoints) {
-            fields.problems().add(Code::out_of_range, points->span, "expected at most 1000 points");
+            fields.report(Code::out_of_range, points->span, "expected at most 1000 points");
         }
     }
 }
@@ -88,7 +87,7 @@ void read_lesson_key(Fields& fields, Exercise& exercise) {
     const auto lesson = fields.text("lesson");
     if (!lesson) { return; }
     if (!exercise.lesson.empty()) {
-        fields.problems().add(
+        fields.report(
             Code::exclusive_keys, lesson->span,
             "an exercise within a lesson belongs to that lesson; expected no key 'lesson' here",
             "take it out, or move the exercise into a file of exercises");
@@ -98,7 +97,7 @@ void read_lesson_key(Fields& fields, Exercise& exercise) {
     const std::vector<std::string> names = names_of_lessons();
     if (std::ranges::find(names, lesson->value) != names.end()) { return; }
     const std::string meant = did_you_mean(lesson->value, names);
-    fields.problems().add(
+    fields.report(
         Code::unknown_name, lesson->span,
         "there is no lesson " + in_quotes(lesson->value) +
             "; expected the folder and the name of a lesson of the catalogue, such as \"vectors/frames\"",
@@ -111,14 +110,14 @@ void read_changes(Fields& fields, Exercise& exercise) {
     if (exercise.scene.empty() || changes.empty()) { return; }
     EditedScene edited = with_edits(exercise.scene, changes);
     if (!edited.problem.empty()) {
-        fields.problems().add(
+        fields.report(
             Code::exercise_edit, fields.span("change"), edited.problem + "; expected keys of the scene");
         return;
     }
     exercise.scene = std::move(edited.text);
     const ReadResult read = read_lesson(exercise.scene, exercise.scene_name);
     if (read.lesson) { return; }
-    fields.problems().add(
+    fields.report(
         Code::exercise_scene, fields.span("change"),
         "the changed scene is no lesson: " + read.diagnostics.front().message, read.diagnostics.front().hint);
 }
@@ -140,7 +139,7 @@ void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
         const fs::path path = folder / scene->value;
         FileText file = read_file_text(path, kLargestExercises);
         if (!file.problem.empty()) {
-            fields.problems().add(
+            fields.report(
                 Code::exercise_scene, scene->span,
                 in_quotes(scene->value) + ": " + file.problem +
                     "; expected a lesson file, relative to "
@@ -153,7 +152,7 @@ void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
     const ReadResult read = read_lesson(exercise.scene, exercise.scene_name);
     if (read.lesson) { return; }
     const Diagnostic& first = read.diagnostics.front();
-    fields.problems().add(
+    fields.report(
         Code::exercise_scene, scene->span,
         "the scene is no lesson: line " + std::to_string(first.span.line) + ": " + first.message,
         "'jointwise check' tells all that is wrong with a file");
@@ -217,12 +216,6 @@ bool read_exercise_head(Fields& root, ExercisesRead& read, Exercise& defaults) {
 
 }  // namespace
 
-std::string ExercisesRead::report() const {
-    std::string text;
-    for (const Diagnostic& diagnostic : diagnostics) { text += to_string(diagnostic, source); }
-    return text;
-}
-
 std::vector<Exercise> read_exercise_tables(Fields& root, const fs::path& folder, const Exercise& defaults) {
     std::vector<Exercise> exercises;
     std::set<std::string> names;
@@ -234,23 +227,23 @@ std::vector<Exercise> read_exercise_tables(Fields& root, const fs::path& folder,
 
 ExercisesRead read_exercises(std::string source, const fs::path& path) {
     ExercisesRead read;
-    read.source = std::move(source);
-    Problems problems(path.string(), read.source);
-    if (const auto table = reading::parse_toml(read.source, problems)) {
-        Fields root(*table, "the exercises", problems, &format::kExerciseFile);
+    std::vector<Diagnostic> of_lesson;
+    const auto take = [&](const toml::table& table, Problems& problems) {
+        Fields root(table, "the exercises", problems, &format::kExerciseFile);
         Exercise defaults;
-        const bool is_lesson = is_lesson_table(*table);
+        const bool is_lesson = is_lesson_table(table);
         if (is_lesson) {
             // other mistakes in the lesson are reported by its own reader
-            const ReadResult lesson = read_lesson(read.source, path.string());
-            read.diagnostics = lesson.diagnostics;
-            if (!lesson.lesson) { return read; }
+            ReadResult lesson = read_lesson(read.source, path.string());
+            if (!lesson.lesson) {
+                of_lesson = std::move(lesson.diagnostics);
+                return;
+            }
             read.title = lesson.lesson->title;
             defaults.source = lesson.lesson->source;
             defaults.lesson = lesson_name(path);
             defaults.scene = read.source;
             defaults.scene_name = path.string();
-            read.diagnostics.clear();
         } else {
             read_exercise_head(root, read, defaults);
         }
@@ -258,9 +251,9 @@ ExercisesRead read_exercises(std::string source, const fs::path& path) {
         read.exercises = read_exercise_tables(root, path.parent_path(), defaults);
         if (!is_lesson) { root.finish(); }
         if (problems.errors_count() > 0) { read.exercises.clear(); }
-    }
-    read.diagnostics = problems.take();
-    read.texts = std::move(problems.texts());
+    };
+    read_toml(read, std::move(source), path.string(), take);
+    if (!of_lesson.empty()) { read.diagnostics = std::move(of_lesson); }
     return read;
 }
 
@@ -270,7 +263,7 @@ ExerciseTables exercise_tables_in(const fs::path& path) {
     if (!fs::is_regular_file(path, error)) { return ExerciseTables::none; }
     FileText file = read_file_text(path, kLargestExercises);
     Problems problems(path.string(), file.text);
-    const auto table = reading::parse_toml(file.text, problems);
+    const auto table = parse_toml(file.text, problems);
     if (!table || !table->contains("exercise")) { return ExerciseTables::none; }
     return is_lesson_table(*table) ? ExerciseTables::in_lesson : ExerciseTables::alone;
 }
@@ -279,13 +272,7 @@ ExercisesRead read_exercise_file(const fs::path& path) {
     FileText file = read_file_text(path, kLargestExercises);
     if (file.problem.empty()) { return read_exercises(std::move(file.text), path); }
     ExercisesRead read;
-    read.diagnostics.push_back(
-        {path.string(),
-         {},
-         Code::file_unreadable,
-         file.problem + "; expected a file of exercises (.toml)",
-         {},
-         Severity::error});
+    read.blame(path.string(), Code::file_unreadable, file.problem + "; expected a file of exercises (.toml)");
     return read;
 }
 

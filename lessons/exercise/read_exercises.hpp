@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/fields/fields.hpp"
 #include "lessons/lesson/exercise.hpp"
 
@@ -17,14 +16,9 @@ enum class ExerciseTables { none, in_lesson, alone };
 ExerciseTables exercise_tables_in(const std::filesystem::path& path);
 
 /// The exercises of a file and its diagnostics. If there are errors, there are no exercises.
-struct ExercisesRead {
+struct ExercisesRead : FileRead {
     Text title;
     std::vector<Exercise> exercises;
-    std::vector<Diagnostic> diagnostics;  ///< by position
-    std::string source;
-    std::vector<ReadText> texts;  ///< all texts for people that could be read
-
-    std::string report() const;
 };
 
 /// Reads an exercise file; never throws for bad input. Scenes are named relative to the folder of `path`.
@@ -38,3 +32,15 @@ std::vector<Exercise> read_exercise_tables(
     Fields& root, const std::filesystem::path& folder, const Exercise& defaults);
 
 }  // namespace jw
+
+/// Parts of the reader of exercises.
+namespace jw::reading {
+
+/// Keys `vary` and `condition_below`.
+void read_draws(Fields& fields, Exercise& exercise);
+/// The keys that belong to the kind of the exercise.
+void read_answer(Fields& fields, Exercise& exercise);
+/// A list of changes of a scene: { key = "joint.B.axis", value = [1, 0, 0] }.
+std::vector<SceneEdit> read_edits(Fields& fields, std::string_view key);
+
+}  // namespace jw::reading

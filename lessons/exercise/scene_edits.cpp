@@ -4,11 +4,11 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <string_view>
 
 #include "lessons/exercise/scene_nodes.hpp"
-#include "lessons/text/language_tag.hpp"
+#include "lessons/text/text.hpp"
+#include "lessons/text/utf8.hpp"
 
 namespace jw {
 
@@ -30,7 +30,7 @@ public:
         std::size_t k = line(at.line);
         for (std::size_t column = 1; column < at.column && k < text_->size(); ++column) {
             ++k;
-            while (k < text_->size() && (static_cast<unsigned char>((*text_)[k]) & 0xC0U) == 0x80U) { ++k; }
+            while (k < text_->size() && !starts_character((*text_)[k])) { ++k; }
         }
         return k;
     }
@@ -219,9 +219,7 @@ std::string claims_in(const std::string& scene) {
     if (claims == nullptr) { return {}; }
     toml::table kept;
     kept.insert("expect", *claims);
-    std::ostringstream out;
-    out << toml::toml_formatter{kept};
-    return out.str() + "\n";
+    return table_text(kept);
 }
 
 }  // namespace jw

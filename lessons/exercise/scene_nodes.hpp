@@ -31,6 +31,13 @@ inline std::optional<std::size_t> index_of_entry(const toml::array& list, const 
     return k < list.size() ? std::optional<std::size_t>(k) : std::nullopt;
 }
 
+/// A table as a file.
+inline std::string table_text(const toml::table& table) {
+    std::ostringstream out;
+    out << toml::toml_formatter{table};
+    return out.str() + "\n";
+}
+
 inline std::string node_text(const toml::node& node) {
     std::ostringstream out;
     node.visit([&](const auto& value) { out << value; });

@@ -7,10 +7,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "lessons/diagnostics/read_text.hpp"
 #include "lessons/explanations/explanation_texts.hpp"
 #include "lessons/files/course.hpp"
 #include "lessons/lesson/enum_words.hpp"
-#include "lessons/lesson/translations.hpp"
 #include "lessons/read/reader.hpp"
 
 namespace jw {
@@ -24,25 +24,14 @@ constexpr std::array kSettings{
     EnumWord<Setting>{Setting::behind, "behind"}, EnumWord<Setting>{Setting::masses, "masses"},
     EnumWord<Setting>{Setting::course, "course"}, EnumWord<Setting>{Setting::path, "path"}};
 
-/// Prefixes of the codes of each topic; the course and the exercises share the eight hundreds.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kGroups{
-    {{"JW1", "The file"},
-     {"JW2", "Keys and types"},
-     {"JW3", "Names"},
-     {"JW4", "Geometry"},
-     {"JW5", "Drivers and time"},
-     {"JW6", "Dynamics"},
-     {"JW7", "Claims, questions and formulas"},
-     {"JW80", "The course"},
-     {"JW85", "Exercises"}}};
-
 struct Texts {
     std::vector<Explanation> pages;
+    std::map<Code, std::string> titles;
     std::map<std::string, std::string> parts;  ///< of the lesson that examples continue
 };
 
-/// Splits a text into named parts: "=== NAME" begins a page or a part of its own, "--- NAME" a part of a
-/// page.
+/// Splits a text into named parts: "=== CODE TITLE" begins a page, "=== NAME" a part of its own, "--- NAME" a
+/// part of a page.
 class TextReader {
 public:
     void take(const std::string& line) {
@@ -67,15 +56,19 @@ public:
 
 private:
     void begin(const std::string& name) {
-        const auto code = read_code(name);
+        const std::size_t blank = name.find(' ');
+        const auto code = read_code(name.substr(0, blank));
         into_ = code ? nullptr : &texts_.parts[name];
         if (!code) { return; }
-        texts_.pages.emplace_back();
-        texts_.pages.back().code = *code;
+        code_ = *code;
+        texts_.titles[code_] = name.substr(blank + 1);
     }
 
     std::string* part_of_page(const std::string& name) {
-        Explanation& page = texts_.pages.at(texts_.pages.size() - 1);
+        if (texts_.pages.empty() || texts_.pages.back().code != code_) {
+            texts_.pages.emplace_back().code = code_;
+        }
+        Explanation& page = texts_.pages.back();
         if (name == "cause") { return &page.cause; }
         if (name == "cure") { return &page.cure; }
         if (name == "right") { return &page.right; }
@@ -90,6 +83,7 @@ private:
     }
 
     Texts texts_;
+    Code code_{};
     std::string* into_ = nullptr;
 };
 
@@ -107,6 +101,8 @@ const Texts& texts() {
 
 const std::vector<Explanation>& explanations() { return texts().pages; }
 
+const std::string& title_of(Code code) { return texts().titles.at(code); }
+
 const Explanation* explanation_of(Code code) {
     const std::vector<Explanation>& pages = explanations();
     const auto found = std::ranges::find(pages, code, &Explanation::code);
@@ -116,41 +112,22 @@ const Explanation* explanation_of(Code code) {
 std::string text_of_example(Setting setting, const std::string& example) {
     const std::map<std::string, std::string>& parts = texts().parts;
     const auto part = [&](const char* name) { return parts.at(name); };
-    switch (setting) {
-        case Setting::head: return example + part("bodies") + part("joints");
-        case Setting::behind: return part("head") + part("bodies") + part("joints") + example;
-        case Setting::masses: return part("head") + part("masses") + part("joints") + example;
-        case Setting::whole:
-        case Setting::course:
-        case Setting::path: break;
-    }
-    return example;
+    if (setting == Setting::head) { return example + part("bodies") + part("joints"); }
+    if (setting != Setting::behind && setting != Setting::masses) { return example; }
+    return part("head") + part(setting == Setting::masses ? "masses" : "bodies") + part("joints") + example;
 }
 
 std::vector<Diagnostic> read_example(Setting setting, const std::string& example, const std::string& folder) {
     const std::string text = text_of_example(setting, example);
-    switch (setting) {
-        case Setting::course: return read_course(text, std::string(kCourseFile)).diagnostics;
-        case Setting::path: {
-            const std::filesystem::path path(text.substr(0, text.find('\n')));
-            return read_lesson_file(std::filesystem::path(folder) / path).diagnostics;
-        }
-        case Setting::whole:
-        case Setting::head:
-        case Setting::behind:
-        case Setting::masses: break;
+    if (setting == Setting::course) { return read_course(text, std::string(kCourseFile)).diagnostics; }
+    if (setting == Setting::path) {
+        const std::filesystem::path path(text.substr(0, text.find('\n')));
+        return read_lesson_file(std::filesystem::path(folder) / path).diagnostics;
     }
     ReadResult read = read_lesson(text, "lesson.toml");
     // what `jointwise check` adds
     std::ranges::move(missing_translations("lesson.toml", read.texts), std::back_inserter(read.diagnostics));
     return std::move(read.diagnostics);
-}
-
-std::string_view group_of(Code code) {
-    const std::string_view printed = entry_of(code).printed;
-    const auto* const found =
-        std::ranges::find_if(kGroups, [&](const auto& group) { return printed.starts_with(group.first); });
-    return found != kGroups.end() ? found->second : std::string_view();
 }
 
 }  // namespace jw

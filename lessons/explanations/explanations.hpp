@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "lessons/diagnostics/codes.hpp"
@@ -32,6 +31,8 @@ struct Explanation {
 
 /// All pages, in the order of the codes.
 const std::vector<Explanation>& explanations();
+/// What a code means, in a few words; the same everywhere.
+const std::string& title_of(Code code);
 /// nullptr if there is no page about the code.
 const Explanation* explanation_of(Code code);
 
@@ -40,8 +41,5 @@ std::string text_of_example(Explanation::Setting setting, const std::string& exa
 /// Diagnostics that reading the example gives. @param folder  of the project, for paths
 std::vector<Diagnostic> read_example(
     Explanation::Setting setting, const std::string& example, const std::string& folder = {});
-
-/// Topic of the codes with the same hundreds: "The file", "Keys and types".
-std::string_view group_of(Code code);
 
 }  // namespace jw

@@ -18,7 +18,7 @@ std::string in_words(std::size_t count) {
 
 }  // namespace
 
-std::optional<Located<std::vector<double>>> Fields::list_in(
+IfGiven<std::vector<double>> Fields::list_in(
     const toml::node& node, const std::string& what, std::size_t count, std::size_t most,
     std::string_view said) {
     const std::string expected = !said.empty() ? std::string(said)
@@ -26,14 +26,14 @@ std::optional<Located<std::vector<double>>> Fields::list_in(
                                                : "a list of 1 to " + std::to_string(most) + " numbers";
     const toml::array* list = node.as_array();
     if (list == nullptr) {
-        problems_->add(
+        report(
             Code::wrong_type, span_of(node.source()),
             what + " is " + kind_of(node) + "; expected " + expected);
         return std::nullopt;
     }
     const bool wrong_count = count != 0 ? list->size() != count : list->empty() || list->size() > most;
     if (wrong_count) {
-        problems_->add(
+        report(
             Code::wrong_count, span_of(node.source()),
             what + " has " + std::to_string(list->size()) + (list->size() == 1 ? " entry" : " entries") +
                 "; expected " + expected);
@@ -43,7 +43,7 @@ std::optional<Located<std::vector<double>>> Fields::list_in(
     for (const toml::node& entry : *list) {
         const std::string which = "entry " + std::to_string(out.value.size() + 1) + " of " + what;
         if (!entry.is_number()) {
-            problems_->add(
+            report(
                 Code::wrong_type, span_of(entry.source()),
                 which + " is " + kind_of(entry) + "; expected a number");
             return std::nullopt;
@@ -55,14 +55,9 @@ std::optional<Located<std::vector<double>>> Fields::list_in(
     return out;
 }
 
-std::optional<Located<std::vector<double>>> Fields::numbers(
+IfGiven<std::vector<double>> Fields::numbers(
     std::string_view key, std::size_t count, std::size_t most, std::string_view expected) {
     check_described(key, {KeyKind::numbers, KeyKind::tensor});
-    return numbers_under(key, count, most, expected);
-}
-
-std::optional<Located<std::vector<double>>> Fields::numbers_under(
-    std::string_view key, std::size_t count, std::size_t most, std::string_view expected) {
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     return list_in(*node, in_quotes(key), count, most, expected);
@@ -74,71 +69,63 @@ bool Fields::is_nested(std::string_view key) {
     return list != nullptr && !list->empty() && (*list)[0].is_array();
 }
 
-std::optional<Located<Mat3>> Fields::matrix(std::string_view key) {
-    check_described(key, {KeyKind::tensor});
+IfGiven<std::vector<Vec3>> Fields::vectors_in(
+    std::string_view key, int least, int most, const EntryWords& words, const std::string& expected) {
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     const toml::array* list = node->as_array();
-    if (list == nullptr || list->size() != 3) {
-        const std::string is = list == nullptr ? kind_of(*node) : std::to_string(list->size()) + " rows";
-        problems_->add(
-            list == nullptr ? Code::wrong_type : Code::wrong_count, span_of(node->source()),
-            in_quotes(key) + " is " + is + "; expected three rows of three numbers");
-        return std::nullopt;
-    }
-    Located<Mat3> out{Mat3::Zero(), span_of(node->source())};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto row = list_in((*list)[k], "row " + std::to_string(k + 1) + " of " + in_quotes(key), 3, 3);
-        if (!row) { return std::nullopt; }
-        out.value.row(static_cast<Eigen::Index>(k)) = Eigen::Map<const Eigen::RowVector3d>(row->value.data());
-    }
-    return out;
-}
-
-std::optional<Located<std::vector<Vec3>>> Fields::vectors(std::string_view key) {
-    const Key* described = check_described(key, {KeyKind::vectors});
-    const toml::node* node = find(key);
-    if (node == nullptr) { return std::nullopt; }
-    const toml::array* list = node->as_array();
-    const int least = described != nullptr ? described->least : 0;
-    const int most = described != nullptr ? described->most : static_cast<int>(kLongestList);
     const int count = list != nullptr ? static_cast<int>(list->size()) : 0;
     if (list == nullptr || count < least || count > most) {
-        const std::string is = list == nullptr ? kind_of(*node) : "a list of " + std::to_string(count);
-        problems_->add(
+        const std::string is =
+            list == nullptr ? kind_of(*node) : words.before + std::to_string(count) + words.after;
+        report(
             list == nullptr ? Code::wrong_type : Code::wrong_count, span_of(node->source()),
-            in_quotes(key) + " is " + is + "; expected " + std::to_string(least) + " to " +
-                std::to_string(most) + " vectors of three numbers");
+            in_quotes(key) + " is " + is + "; expected " + expected);
         return std::nullopt;
     }
     Located<std::vector<Vec3>> out{{}, span_of(node->source())};
-    for (const toml::node& entry : *list) {
-        const std::string what = "entry " + std::to_string(out.value.size() + 1) + " of " + in_quotes(key);
-        const auto row = list_in(entry, what, 3, 3);
+    for (const toml::node& each : *list) {
+        const std::string number = std::to_string(out.value.size() + 1);
+        const auto row = list_in(each, words.one + ' ' + number + " of " + in_quotes(key), 3);
         if (!row) { return std::nullopt; }
         out.value.push_back(Eigen::Map<const Vec3>(row->value.data()));
     }
     return out;
 }
 
-std::optional<Located<Vec3>> Fields::vector(std::string_view key) {
+IfGiven<Mat3> Fields::matrix(std::string_view key) {
+    check_described(key, {KeyKind::tensor});
+    const auto rows = vectors_in(key, 3, 3, {"row", "", " rows"}, "three rows of three numbers");
+    if (!rows) { return std::nullopt; }
+    Located<Mat3> out{Mat3::Zero(), rows->span};
+    for (int k = 0; k < 3; ++k) { out.value.row(k) = rows->value[at(k)].transpose(); }
+    return out;
+}
+
+IfGiven<std::vector<Vec3>> Fields::vectors(std::string_view key) {
+    const Key* described = check_described(key, {KeyKind::vectors});
+    const int least = described != nullptr ? described->least : 0;
+    const int most = described != nullptr ? described->most : static_cast<int>(kLongestList);
+    return vectors_in(
+        key, least, most, {"entry", "a list of ", ""},
+        std::to_string(least) + " to " + std::to_string(most) + " vectors of three numbers");
+}
+
+IfGiven<Vec3> Fields::vector(std::string_view key) {
     check_described(key, {KeyKind::vector, KeyKind::direction});
-    return vector_under(key);
-}
-
-std::optional<Located<Vec3>> Fields::vector_under(std::string_view key) {
-    const auto list = numbers_under(key, 3, kLongestList, {});
+    const toml::node* node = find(key);
+    const auto list = node != nullptr ? list_in(*node, in_quotes(key), 3) : std::nullopt;
     if (!list) { return std::nullopt; }
-    return Located<Vec3>{Vec3(list->value[0], list->value[1], list->value[2]), list->span};
+    return Located<Vec3>{Eigen::Map<const Vec3>(list->value.data()), list->span};
 }
 
-std::optional<Located<Vec3>> Fields::direction(std::string_view key) {
+IfGiven<Vec3> Fields::direction(std::string_view key) {
     check_described(key, {KeyKind::direction});
-    const auto v = vector_under(key);
+    const auto v = vector(key);
     // squares of very small numbers are 0, so the norm must not square them
     if (v && v->value.stableNorm() < kShortestDirection) {
         const bool zero = v->value.isZero(0.0);
-        problems_->add(
+        report(
             Code::zero_direction, v->span,
             in_quotes(key) +
                 (zero ? " has length 0; expected a direction, three numbers not all zero"
@@ -167,13 +154,13 @@ std::vector<TypedText> Fields::typed_numbers(std::string_view key) const {
     return out;
 }
 
-std::optional<Located<std::vector<Located<std::string>>>> Fields::texts(std::string_view key) {
+IfGiven<std::vector<Located<std::string>>> Fields::texts(std::string_view key) {
     check_described(key, {KeyKind::texts});
     const toml::node* node = find(key);
     return node != nullptr ? texts_in(*node, std::string(key), "a list of names") : std::nullopt;
 }
 
-std::optional<Located<std::vector<Located<std::string>>>> Fields::texts_in(
+IfGiven<std::vector<Located<std::string>>> Fields::texts_in(
     const toml::node& node, const std::string& what, std::string_view expected) {
     const toml::array* list = node.as_array();
     if (list == nullptr) {
@@ -183,7 +170,7 @@ std::optional<Located<std::vector<Located<std::string>>>> Fields::texts_in(
     Located<std::vector<Located<std::string>>> out{{}, span_of(node.source())};
     for (const toml::node& entry : *list) {
         if (!entry.is_string()) {
-            problems_->add(
+            report(
                 Code::wrong_type, span_of(entry.source()),
                 "entry " + std::to_string(out.value.size() + 1) + " of " + in_quotes(what) + " is " +
                     kind_of(entry) + "; expected a name in quotes");

@@ -4,7 +4,7 @@
 #include "lessons/diagnostics/text_place.hpp"
 #include "lessons/fields/fields.hpp"
 #include "lessons/math/text_parts.hpp"
-#include "lessons/text/language_tag.hpp"
+#include "lessons/text/text.hpp"
 
 /// Access to keys that hold words for people, and to the same words in other languages.
 namespace jw {
@@ -31,35 +31,35 @@ std::vector<std::pair<std::string, const toml::table*>> Fields::languages() cons
     return found;
 }
 
-std::optional<Located<Text>> Fields::words(std::string_view key, Audience audience) {
+IfGiven<Text> Fields::words(std::string_view key, Audience audience) {
     check_described(key, {KeyKind::words});
-    return words_in(key, Formulas::checked, audience);
+    return words_in(key, true, audience);
 }
 
-std::optional<Located<Text>> Fields::plain_words(std::string_view key) {
+IfGiven<Text> Fields::plain_words(std::string_view key) {
     check_described(key, {KeyKind::plain_words});
-    return words_in(key, Formulas::none, Audience::students);
+    return words_in(key, false, Audience::students);
 }
 
-std::optional<Located<Text>> Fields::words_in(std::string_view key, Formulas formulas, Audience audience) {
+IfGiven<Text> Fields::words_in(std::string_view key, bool has_formulas, Audience audience) {
     words_.emplace(key);
     const toml::node* node = find(key);
     const auto own = node != nullptr ? text_in(*node, std::string(key)) : std::nullopt;
     if (!own) { return std::nullopt; }
-    if (formulas == Formulas::checked) { check_formulas(*own); }
+    if (has_formulas) { check_formulas(*own); }
     Text text = own->value;
     for (const auto& [tag, table] : languages()) {
         const toml::node* const other = table->get(key);
         const auto translated = other != nullptr ? text_in(*other, in_language_of(tag, key)) : std::nullopt;
         if (!translated) { continue; }
-        if (formulas == Formulas::checked) { check_formulas(*translated); }
+        if (has_formulas) { check_formulas(*translated); }
         text.translate(tag, translated->value);
     }
     record(key, own->span, text, audience);
     return Located<Text>{std::move(text), own->span};
 }
 
-std::optional<Located<std::vector<Text>>> Fields::list_of_words(std::string_view key) {
+IfGiven<std::vector<Text>> Fields::list_of_words(std::string_view key) {
     check_described(key, {KeyKind::list_of_words});
     words_.emplace(key);
     const toml::node* node = find(key);
@@ -76,7 +76,7 @@ std::optional<Located<std::vector<Text>>> Fields::list_of_words(std::string_view
         const auto translated = other != nullptr ? texts_in(*other, what, "a list of texts") : std::nullopt;
         if (!translated) { continue; }
         if (translated->value.size() != list.value.size()) {
-            problems_->add(
+            report(
                 Code::wrong_count, translated->span,
                 in_quotes(what) + " has " + std::to_string(translated->value.size()) + " entries; expected " +
                     std::to_string(list.value.size()) + ", as many as " + in_quotes(key));
@@ -96,7 +96,7 @@ std::optional<Located<std::vector<Text>>> Fields::list_of_words(std::string_view
 void Fields::check_formulas(const Located<std::string>& words) {
     for (math::Problem& problem : math::text_parts(words.value).problems) {
         const SourceSpan place = place_in_text(problems_->source(), words.span, problem.at);
-        problems_->add(Code::unreadable_formula, place, std::move(problem.message), std::move(problem.hint));
+        report(Code::unreadable_formula, place, std::move(problem.message), std::move(problem.hint));
     }
 }
 
@@ -110,13 +110,13 @@ void Fields::finish_language(const std::string& tag, const toml::table& table) {
     for (const auto& [key, node] : table) {
         if (problems_->is_full()) { return; }
         if (!words_.contains(key.str())) {
-            problems_->add(
+            report(
                 Code::unknown_key, span_of(key.source()),
                 "unknown key " + in_quotes(key.str()) + " in " + tag + " of " + what_ + "; expected one of " +
                     comma_list(names),
                 did_you_mean(key.str(), names));
         } else if (find(key.str()) == nullptr) {
-            problems_->add(
+            report(
                 Code::lonely_key, span_of(key.source()),
                 in_quotes(in_language_of(tag, key.str())) + " without " + in_quotes(key.str()) +
                     "; expected the words in the language of the lesson too");
@@ -131,7 +131,7 @@ bool Fields::is_misnamed_language(const toml::key& key, const toml::node& node) 
         std::ranges::all_of(*table, [&](auto&& entry) { return words_.contains(entry.first.str()); });
     if (!has_words) { return false; }
     const std::string meant = meant_language_tag(key.str());
-    problems_->add(
+    report(
         Code::language_tag, span_of(key.source()),
         in_quotes(key.str()) + " is no language tag; expected one such as 'zh-Hant', 'de' or 'pt-BR'",
         meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "lessons/diagnostics/text_place.hpp"
-#include "lessons/format/other_names.hpp"
+#include "lessons/format/key.hpp"
 #include "lessons/math/text_parts.hpp"
 #include "lessons/typed/exact_text.hpp"
 #include "lessons/typed/typed.hpp"
@@ -64,7 +64,7 @@ SourceSpan Fields::place_in(std::string_view key, std::size_t at) const {
 }
 
 void Fields::wrong_type(std::string_view key, const toml::node& node, std::string_view expected) {
-    problems_->add(
+    report(
         Code::wrong_type, span_of(node.source()),
         in_quotes(key) + " is " + kind_of(node) + "; expected " + std::string(expected));
 }
@@ -73,13 +73,13 @@ std::optional<double> Fields::number_in(const toml::node& node, const std::strin
     const double value =
         node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
     if (!std::isfinite(value)) {
-        problems_->add(
+        report(
             Code::out_of_range, span_of(node.source()),
             what + " is " + short_number(value) + "; expected a finite number");
         return std::nullopt;
     }
     if (std::abs(value) > kLargestNumber) {
-        problems_->add(
+        report(
             Code::out_of_range, span_of(node.source()),
             what + " is " + short_number(value, writing::digits_apart(std::abs(value), kLargestNumber, 6)) +
                 "; expected at most 1e9 in magnitude",
@@ -89,17 +89,13 @@ std::optional<double> Fields::number_in(const toml::node& node, const std::strin
     return value;
 }
 
-std::optional<Located<std::string>> Fields::text(std::string_view key) {
+IfGiven<std::string> Fields::text(std::string_view key) {
     check_described(key, {KeyKind::text, KeyKind::word, KeyKind::formula});
-    return text_under(key);
-}
-
-std::optional<Located<std::string>> Fields::text_under(std::string_view key) {
     const toml::node* node = find(key);
     return node != nullptr ? text_in(*node, std::string(key)) : std::nullopt;
 }
 
-std::optional<Located<std::string>> Fields::text_in(const toml::node& node, const std::string& what) {
+IfGiven<std::string> Fields::text_in(const toml::node& node, const std::string& what) {
     if (!node.is_string()) {
         wrong_type(what, node, "a text in quotes");
         return std::nullopt;
@@ -107,14 +103,14 @@ std::optional<Located<std::string>> Fields::text_in(const toml::node& node, cons
     const SourceSpan where = span_of(node.source());
     std::string value = node.as_string()->get();
     if (value.size() > kLongestText) {
-        problems_->add(
+        report(
             Code::too_much, where,
             in_quotes(what) + " has " + std::to_string(value.size()) + " bytes; expected at most " +
                 std::to_string(kLongestText));
         return std::nullopt;
     }
     if (std::ranges::any_of(value, is_control)) {
-        problems_->add(
+        report(
             Code::character, where,
             in_quotes(what) + " contains a control character; expected text that can be shown");
         return std::nullopt;
@@ -123,12 +119,12 @@ std::optional<Located<std::string>> Fields::text_in(const toml::node& node, cons
     return Located<std::string>{std::move(value), where};
 }
 
-std::optional<Located<std::string>> Fields::formula(std::string_view key) {
+IfGiven<std::string> Fields::formula(std::string_view key) {
     check_described(key, {KeyKind::formula});
-    auto source = text_under(key);
+    auto source = text(key);
     if (!source) { return source; }
     if (auto problem = math::read_math(source->value).problem) {
-        problems_->add(
+        report(
             Code::unreadable_formula, place_in(key, problem->at), std::move(problem->message),
             std::move(problem->hint));
         return std::nullopt;
@@ -136,12 +132,8 @@ std::optional<Located<std::string>> Fields::formula(std::string_view key) {
     return source;
 }
 
-std::optional<Located<double>> Fields::number(std::string_view key) {
+IfGiven<double> Fields::number(std::string_view key) {
     check_described(key, {KeyKind::number, KeyKind::positive, KeyKind::not_negative});
-    return number_under(key);
-}
-
-std::optional<Located<double>> Fields::number_under(std::string_view key) {
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_number()) {
@@ -153,38 +145,34 @@ std::optional<Located<double>> Fields::number_under(std::string_view key) {
     return Located<double>{*value, span_of(node->source())};
 }
 
-std::optional<Located<double>> Fields::positive(std::string_view key) {
-    check_described(key, {KeyKind::positive});
-    auto value = number_under(key);
-    if (value && value->value <= 0.0) {
-        problems_->add(
-            Code::out_of_range, value->span,
-            in_quotes(key) + " is " + short_number(value->value) + "; expected a number above 0");
-        return std::nullopt;
-    }
-    return value;
+IfGiven<double> Fields::number_that(
+    std::string_view key, KeyKind kind, bool (*fits)(double), const char* expected) {
+    check_described(key, {kind});
+    auto value = number(key);
+    if (!value || fits(value->value)) { return value; }
+    report(
+        Code::out_of_range, value->span,
+        in_quotes(key) + " is " + short_number(value->value) + "; expected a number " + expected);
+    return std::nullopt;
 }
 
-std::optional<Located<double>> Fields::not_negative(std::string_view key) {
-    check_described(key, {KeyKind::not_negative});
-    auto value = number_under(key);
-    if (value && value->value < 0.0) {
-        problems_->add(
-            Code::out_of_range, value->span,
-            in_quotes(key) + " is " + short_number(value->value) +
-                "; expected a number that is not negative");
-        return std::nullopt;
-    }
-    return value;
+IfGiven<double> Fields::positive(std::string_view key) {
+    return number_that(
+        key, KeyKind::positive, [](double x) { return x > 0.0; }, "above 0");
 }
 
-std::optional<Located<int>> Fields::integer(std::string_view key, int least, int most) {
+IfGiven<double> Fields::not_negative(std::string_view key) {
+    return number_that(
+        key, KeyKind::not_negative, [](double x) { return x >= 0.0; }, "that is not negative");
+}
+
+IfGiven<int> Fields::integer(std::string_view key, int least, int most) {
     check_described(key, {KeyKind::whole_number});
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
     if (!node->is_integer()) {
         if (const auto* fraction = node->as_floating_point()) {
-            problems_->add(
+            report(
                 Code::wrong_type, span_of(node->source()),
                 in_quotes(key) + " is " + short_number(fraction->get()) + "; expected a whole number");
             return std::nullopt;
@@ -194,7 +182,7 @@ std::optional<Located<int>> Fields::integer(std::string_view key, int least, int
     }
     const auto value = node->as_integer()->get();
     if (value < least || value > most) {
-        problems_->add(
+        report(
             Code::out_of_range, span_of(node->source()),
             in_quotes(key) + " is " + std::to_string(value) + "; expected " + std::to_string(least) + " to " +
                 std::to_string(most));
@@ -203,12 +191,12 @@ std::optional<Located<int>> Fields::integer(std::string_view key, int least, int
     return Located<int>{static_cast<int>(value), span_of(node->source())};
 }
 
-std::optional<Located<int>> Fields::integer(std::string_view key) {
+IfGiven<int> Fields::integer(std::string_view key) {
     const Key& described = *check_described(key);
     return integer(key, described.least, described.most);
 }
 
-std::optional<Located<bool>> Fields::flag(std::string_view key) {
+IfGiven<bool> Fields::flag(std::string_view key) {
     check_described(key, {KeyKind::flag});
     const toml::node* node = find(key);
     if (node == nullptr) { return std::nullopt; }
@@ -242,7 +230,7 @@ std::vector<Fields> Fields::tables(std::string_view key, std::size_t most) {
     }
     std::vector<Fields> out;
     if (list->size() > most) {
-        problems_->add(
+        report(
             Code::too_much, span_of(node->source()),
             "there are " + std::to_string(list->size()) + " times " + in_quotes(key) + "; expected at most " +
                 std::to_string(most));
@@ -250,7 +238,7 @@ std::vector<Fields> Fields::tables(std::string_view key, std::size_t most) {
     }
     for (const toml::node& entry : *list) {
         if (!entry.is_table()) {
-            problems_->add(
+            report(
                 Code::wrong_type, span_of(entry.source()),
                 "an entry of " + in_quotes(key) + " is " + kind_of(entry) + "; expected a table");
             continue;
@@ -262,11 +250,11 @@ std::vector<Fields> Fields::tables(std::string_view key, std::size_t most) {
 
 std::optional<std::size_t> Fields::word(std::string_view key, const std::vector<std::string>& words) {
     check_described(key, {KeyKind::word, KeyKind::text});
-    const auto value = text_under(key);
+    const auto value = text(key);
     if (!value) { return std::nullopt; }
     const auto found = std::ranges::find(words, value->value);
     if (found == words.end()) {
-        problems_->add(
+        report(
             Code::unknown_word, value->span,
             "unknown " + std::string(key) + ' ' + in_quotes(value->value) + "; expected one of " +
                 comma_list(words),
@@ -280,7 +268,7 @@ std::optional<std::size_t> Fields::word(std::string_view key) {
     return word(key, check_described(key)->words());
 }
 
-std::optional<Located<double>> Fields::angle(std::string_view key) {
+IfGiven<double> Fields::angle(std::string_view key) {
     const std::string in_degrees = std::string(key) + "_deg";
     const std::string in_radians = std::string(key) + "_rad";
     if (!at_most_one({in_degrees, in_radians})) { return std::nullopt; }
@@ -321,7 +309,7 @@ void Fields::missing(std::string_view key, std::string_view expected) {
         std::string in_radians(key);
         const std::size_t unit = in_radians.find("_deg");
         if (unit != std::string::npos) { in_radians.replace(unit, 4, "_rad"); }
-        problems_->add(
+        report(
             Code::unknown_key, span_of(other->source()),
             "unknown key " + in_quotes(other->str()) + " in " + what_ + "; expected " + in_quotes(key) +
                 (in_radians != key && in_radians != other->str() ? " or " + in_quotes(in_radians) : ""),
@@ -330,7 +318,7 @@ void Fields::missing(std::string_view key, std::string_view expected) {
         return;
     }
     if (has_instead_of(expected)) { return; }
-    problems_->add(
+    report(
         Code::missing_key, span(),
         what_ + " has no " + in_quotes(key) + "; expected " + std::string(expected));
 }
@@ -347,7 +335,7 @@ bool Fields::at_most_one(const std::vector<std::string>& keys) {
         if (has(key)) { present.push_back(key); }
     }
     if (present.size() <= 1) { return true; }
-    problems_->add(
+    report(
         Code::exclusive_keys, span(present[1]),
         in_quotes(present[1]) + " beside " + in_quotes(present[0]) + "; expected only one of " +
             comma_list(keys));
@@ -364,7 +352,7 @@ void Fields::finish() {
         if (problems_->is_full()) { return; }
         if (is_misnamed_language(key, node)) { continue; }
         const std::string meant = key_meant_by(key.str(), names);
-        problems_->add(
+        report(
             Code::unknown_key, span_of(key.source()),
             "unknown key " + in_quotes(key.str()) + " in " + what_ + "; expected one of " + comma_list(names),
             meant.empty() ? did_you_mean(key.str(), names) : "did you mean " + in_quotes(meant) + "?");

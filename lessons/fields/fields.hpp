@@ -53,6 +53,10 @@ public:
     SourceSpan span() const { return span_of(table_->source()); }
     SourceSpan span(std::string_view key) const;
     Problems& problems() const { return *problems_; }
+    /// Reports a mistake.
+    void report(Code code, const SourceSpan& at, std::string message, std::string hint = {}) const {
+        problems_->add(code, at, std::move(message), std::move(hint));
+    }
     /// Place of a byte of the text under `key`.
     SourceSpan place_in(std::string_view key, std::size_t at) const;
     /// Name of the table in messages: "joint", "joint 'hinge'".
@@ -60,40 +64,40 @@ public:
     void call(std::string what) { what_ = std::move(what); }
 
     // absent keys give nothing; wrong ones give nothing and a diagnostic
-    std::optional<Located<std::string>> text(std::string_view key);
+    IfGiven<std::string> text(std::string_view key);
     /// Words for people, with formulas between dollar signs (docs/mathematics.md), in every language in which
     /// the table has them (below). Reports formulas that cannot be read.
     ///
     /// A subtable named by a language tag, as [zh-Hant], has the same keys with the same words in that
     /// language.
-    std::optional<Located<Text>> words(std::string_view key, Audience audience = Audience::students);
+    IfGiven<Text> words(std::string_view key, Audience audience = Audience::students);
     /// Words without formulas.
-    std::optional<Located<Text>> plain_words(std::string_view key);
+    IfGiven<Text> plain_words(std::string_view key);
     /// A list of words; in each language it has the same number of entries.
-    std::optional<Located<std::vector<Text>>> list_of_words(std::string_view key);
+    IfGiven<std::vector<Text>> list_of_words(std::string_view key);
     /// A formula without dollar signs.
-    std::optional<Located<std::string>> formula(std::string_view key);
-    std::optional<Located<double>> number(std::string_view key);
-    std::optional<Located<double>> positive(std::string_view key);
-    std::optional<Located<double>> not_negative(std::string_view key);
-    std::optional<Located<int>> integer(std::string_view key, int least, int most);
+    IfGiven<std::string> formula(std::string_view key);
+    IfGiven<double> number(std::string_view key);
+    IfGiven<double> positive(std::string_view key);
+    IfGiven<double> not_negative(std::string_view key);
+    IfGiven<int> integer(std::string_view key, int least, int most);
     /// An integer in the range that the format describes.
-    std::optional<Located<int>> integer(std::string_view key);
-    std::optional<Located<bool>> flag(std::string_view key);
-    std::optional<Located<Vec3>> vector(std::string_view key);
+    IfGiven<int> integer(std::string_view key);
+    IfGiven<bool> flag(std::string_view key);
+    IfGiven<Vec3> vector(std::string_view key);
     /// A list of vectors, as many as the format describes.
-    std::optional<Located<std::vector<Vec3>>> vectors(std::string_view key);
+    IfGiven<std::vector<Vec3>> vectors(std::string_view key);
     /// A vector that is not zero.
-    std::optional<Located<Vec3>> direction(std::string_view key);
+    IfGiven<Vec3> direction(std::string_view key);
     /// `count` numbers, or any number of them up to `most`. @param expected  for the message, if given
-    std::optional<Located<std::vector<double>>> numbers(
+    IfGiven<std::vector<double>> numbers(
         std::string_view key, std::size_t count = 0, std::size_t most = kLongestList,
         std::string_view expected = {});
     /// Three rows of three numbers.
-    std::optional<Located<Mat3>> matrix(std::string_view key);
+    IfGiven<Mat3> matrix(std::string_view key);
     /// True if the entries of a list are lists themselves.
     bool is_nested(std::string_view key);
-    std::optional<Located<std::vector<Located<std::string>>>> texts(std::string_view key);
+    IfGiven<std::vector<Located<std::string>>> texts(std::string_view key);
     std::optional<Fields> table(std::string_view key);
     /// A list of tables, or one table as a list of one.
     std::vector<Fields> tables(std::string_view key, std::size_t most = kLongestList);
@@ -109,7 +113,7 @@ public:
     }
 
     /// A number under `key` + "_deg" or `key` + "_rad" [rad].
-    std::optional<Located<double>> angle(std::string_view key);
+    IfGiven<double> angle(std::string_view key);
 
     /// The numbers under a key as they were typed; none if it is not there.
     std::vector<TypedText> typed_numbers(std::string_view key) const;
@@ -132,16 +136,13 @@ public:
     void finish();
 
 private:
-    /// How the texts of a key are read.
-    enum class Formulas { none, checked };
-
     const toml::node* find(std::string_view key);
     /// A text that can be shown, without carriage returns; reports any other value.
-    std::optional<Located<std::string>> text_in(const toml::node& node, const std::string& what);
-    std::optional<Located<Text>> words_in(std::string_view key, Formulas formulas, Audience audience);
+    IfGiven<std::string> text_in(const toml::node& node, const std::string& what);
+    IfGiven<Text> words_in(std::string_view key, bool has_formulas, Audience audience);
     /// The entries of a list of texts; reports any other value. @param expected  of the list, "a list of
     /// names"
-    std::optional<Located<std::vector<Located<std::string>>>> texts_in(
+    IfGiven<std::vector<Located<std::string>>> texts_in(
         const toml::node& node, const std::string& what, std::string_view expected);
     /// Subtables named by language tags.
     std::vector<std::pair<std::string, const toml::table*>> languages() const;
@@ -158,12 +159,18 @@ private:
     /// @param kinds  the key must have one of them; empty: any
     /// @throws std::logic_error if the format does not describe the key in this way
     const Key* check_described(std::string_view key, std::initializer_list<KeyKind> kinds = {}) const;
-    // without check_described
-    std::optional<Located<std::string>> text_under(std::string_view key);
-    std::optional<Located<double>> number_under(std::string_view key);
-    std::optional<Located<std::vector<double>>> numbers_under(
-        std::string_view key, std::size_t count, std::size_t most, std::string_view expected);
-    std::optional<Located<Vec3>> vector_under(std::string_view key);
+    /// A number of this kind. @param expected  for the message: "above 0"
+    IfGiven<double> number_that(
+        std::string_view key, KeyKind kind, bool (*fits)(double), const char* expected);
+    /// Entries of a list and how messages name them: "row", "" and " rows" around their number.
+    struct EntryWords {
+        std::string one;
+        std::string before;
+        std::string after;
+    };
+    /// A list of `least` to `most` vectors.
+    IfGiven<std::vector<Vec3>> vectors_in(
+        std::string_view key, int least, int most, const EntryWords& words, const std::string& expected);
     /// The table under a key of this table, or in the list under that key.
     Fields below(const toml::table& table, std::string_view key) const;
     /// A key that has not been read and probably means `key`: misspelt, or with another unit or none.
@@ -172,8 +179,8 @@ private:
     bool has_instead_of(std::string_view expected) const;
     void wrong_type(std::string_view key, const toml::node& node, std::string_view expected);
     std::optional<double> number_in(const toml::node& node, const std::string& what);
-    std::optional<Located<std::vector<double>>> list_in(
-        const toml::node& node, const std::string& what, std::size_t count, std::size_t most,
+    IfGiven<std::vector<double>> list_in(
+        const toml::node& node, const std::string& what, std::size_t count, std::size_t most = kLongestList,
         std::string_view expected = {});
 
     const toml::table* table_;
@@ -184,5 +191,19 @@ private:
     std::set<std::string, std::less<>> told_;   ///< unknown keys that have been reported already
     std::set<std::string, std::less<>> words_;  ///< keys read as words: a language may have them
 };
+
+/// The table in the bytes of a file; reports why if there is none. A byte order mark is removed from
+/// `source`, and bytes that are not UTF-8 are replaced, so that it can be shown.
+std::optional<toml::table> parse_toml(std::string& source, Problems& problems);
+
+/// Reads a file: `take` gets its table, if it is TOML, and the list for its mistakes.
+template <class Take>
+void read_toml(FileRead& read, std::string source, std::string file_name, Take&& take) {
+    read.source = std::move(source);
+    Problems problems(std::move(file_name), read.source);
+    if (auto table = parse_toml(read.source, problems)) { take(*table, problems); }
+    read.diagnostics = problems.take();
+    read.texts = std::move(problems.texts());
+}
 
 }  // namespace jw

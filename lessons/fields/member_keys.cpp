@@ -6,33 +6,32 @@ namespace jw {
 
 namespace {
 
-std::optional<bool> read(Fields& fields, const Key& key, const bool& /*type*/) {
-    const auto given = fields.flag(key.name);
-    return given ? std::optional(given->value) : std::nullopt;
-}
-
-std::optional<int> read(Fields& fields, const Key& key, const int& /*type*/) {
-    const auto given = fields.integer(key.name);
-    return given ? std::optional(given->value) : std::nullopt;
-}
-
-std::optional<double> read(Fields& fields, const Key& key, const double& /*type*/) {
-    const auto given = key.kind == KeyKind::positive       ? fields.positive(key.name)
-                       : key.kind == KeyKind::not_negative ? fields.not_negative(key.name)
-                                                           : fields.number(key.name);
-    return given ? std::optional(given->value) : std::nullopt;
-}
-
-std::optional<Vec3> read(Fields& fields, const Key& key, const Vec3& /*type*/) {
-    const bool is_direction = key.kind == KeyKind::direction;
-    const auto given = is_direction ? fields.direction(key.name) : fields.vector(key.name);
-    if (!given) { return std::nullopt; }
-    return is_direction ? unit_of(given->value) : given->value;
-}
-
 template <class V>
-std::optional<V> read(Fields& fields, const Key& key, const std::optional<V>& /*type*/) {
-    return read(fields, key, V());
+struct InOptional {
+    using Type = V;
+};
+template <class V>
+struct InOptional<std::optional<V>> {
+    using Type = V;
+};
+
+/// Reads a value of this type.
+template <class V>
+IfGiven<V> read(Fields& fields, const Key& key) {
+    if constexpr (std::is_same_v<V, bool>) {
+        return fields.flag(key.name);
+    } else if constexpr (std::is_same_v<V, int>) {
+        return fields.integer(key.name);
+    } else if constexpr (std::is_same_v<V, double>) {
+        return key.kind == KeyKind::positive       ? fields.positive(key.name)
+               : key.kind == KeyKind::not_negative ? fields.not_negative(key.name)
+                                                   : fields.number(key.name);
+    } else {
+        if (key.kind == KeyKind::vector) { return fields.vector(key.name); }
+        auto direction = fields.direction(key.name);
+        if (direction) { direction->value = unit_of(direction->value); }
+        return direction;
+    }
 }
 
 std::string text_of(const Key& /*key*/, bool value) { return value ? "true" : "false"; }
@@ -49,8 +48,8 @@ std::string text_of(const Key& key, const std::optional<V>& value) {
 }  // namespace
 
 void read_member(Fields& fields, const Key& key, const MemberRef& into) {
-    const auto take = [&](auto* member) {
-        if (auto given = read(fields, key, *member)) { *member = *given; }
+    const auto take = [&]<class M>(M* member) {
+        if (const auto given = read<typename InOptional<M>::Type>(fields, key)) { *member = given->value; }
     };
     std::visit(take, into);
     if (key.required) { fields.require(key.name); }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lessons/fields/fields.hpp"
-#include "lessons/format/member_key.hpp"
+#include "lessons/format/key.hpp"
 
 /// Reading and writing of keys that are bound to members.
 namespace jw {

@@ -1,12 +1,11 @@
-#include "lessons/fields/toml_text.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
 
+#include "lessons/fields/fields.hpp"
 #include "lessons/text/utf8.hpp"
 
-namespace jw::reading {
+namespace jw {
 
 namespace {
 
@@ -97,8 +96,7 @@ SourceSpan within(SourceSpan span, std::string_view source) {
         from = std::min(source.find('\n', from), source.size() - 1) + 1;
     }
     const std::string_view text = source.substr(from, source.find('\n', from) - from);
-    const auto is_begin = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
-    const auto behind = static_cast<int>(std::ranges::count_if(text, is_begin)) + 1;
+    const auto behind = static_cast<int>(std::ranges::count_if(text, starts_character)) + 1;
     span.column = std::min(span.column, behind);
     return span;
 }
@@ -136,4 +134,4 @@ std::optional<toml::table> parse_toml(std::string& source, Problems& problems) {
     }
 }
 
-}  // namespace jw::reading
+}  // namespace jw

@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "lessons/fields/fields.hpp"
-#include "lessons/fields/toml_text.hpp"
 #include "lessons/files/catalogue.hpp"
 #include "lessons/files/file_text.hpp"
 
@@ -48,15 +47,15 @@ std::string name_in(Fields& fields, const Names& before, const fs::path& folder)
     if (!name) { return {}; }
     fields.call("chapter " + in_quotes(name->value));
     if (!is_plain_name(name->value)) {
-        fields.problems().add(
+        fields.report(
             Code::course_name, name->span,
             in_quotes(name->value) + " is no name of a folder; expected the folder beside this file");
     } else if (is_in(before, name->value)) {
-        fields.problems().add(
+        fields.report(
             Code::course_twice, name->span,
             "there are two chapters " + in_quotes(name->value) + "; expected each of them once");
     } else if (std::error_code error; !folder.empty() && !fs::is_directory(folder / name->value, error)) {
-        fields.problems().add(
+        fields.report(
             Code::course_name, name->span,
             "there is no folder " + in_quotes(name->value) +
                 " beside this file; expected that of the chapter",
@@ -71,7 +70,7 @@ Names needs_in(Fields& fields, const Names& before) {
     if (!list) { return needs; }
     for (const auto& [name, span] : list->value) {
         if (!is_in(before, name)) {
-            fields.problems().add(
+            fields.report(
                 Code::course_needs, span,
                 "no chapter " + in_quotes(name) + " comes before this one; expected " +
                     (before.empty() ? "an empty list" : "some of " + comma_list(before)),
@@ -88,11 +87,11 @@ Names lessons_in(Fields& fields) {
     if (!list) { return lessons; }
     for (const auto& [name, span] : list->value) {
         if (!is_plain_name(name) || !name.ends_with(".toml")) {
-            fields.problems().add(
+            fields.report(
                 Code::course_name, span,
                 in_quotes(name) + " is no name of a lesson file; expected one as 'four-bar.toml'");
         } else if (is_in(lessons, name)) {
-            fields.problems().add(
+            fields.report(
                 Code::course_twice, span,
                 "the lesson " + in_quotes(name) + " is named twice; expected each of them once");
         }
@@ -195,23 +194,14 @@ std::size_t Course::place_of_lesson(const std::string& chapter, const std::strin
     return static_cast<std::size_t>(std::ranges::find(lessons, file) - lessons.begin());
 }
 
-std::string CourseRead::report() const {
-    std::string text;
-    for (const Diagnostic& diagnostic : diagnostics) { text += to_string(diagnostic, source); }
-    return text;
-}
-
 CourseRead read_course(std::string source, std::string file_name, const fs::path& folder) {
     CourseRead read;
-    read.source = std::move(source);
-    Problems problems(std::move(file_name), read.source);
-    if (const auto table = reading::parse_toml(read.source, problems)) {
-        Fields root(*table, "the course", problems);
+    const auto take = [&](const toml::table& table, Problems& problems) {
+        Fields root(table, "the course", problems);
         Course course = course_in(root, folder);
         if (problems.errors_count() == 0) { read.course = std::move(course); }
-    }
-    read.diagnostics = problems.take();
-    read.texts = std::move(problems.texts());
+    };
+    read_toml(read, std::move(source), std::move(file_name), take);
     return read;
 }
 
@@ -225,8 +215,7 @@ CourseRead read_course_of(const fs::path& folder, ChapterFolders chapters) {
         return read_course(std::move(file.text), path.string(), asks ? folder : fs::path());
     }
     CourseRead read;
-    const std::string message = file.problem + "; expected the order of a course";
-    read.diagnostics.push_back({path.string(), {}, Code::file_unreadable, message, {}, Severity::error});
+    read.blame(path.string(), Code::file_unreadable, file.problem + "; expected the order of a course");
     return read;
 }
 

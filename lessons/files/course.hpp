@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/diagnostics/read_text.hpp"
 
 /// The order of a course: the file `course.toml` beside the folders of its chapters.
@@ -32,13 +31,8 @@ struct Course {
 };
 
 /// A course; it has no chapters if the file has mistakes or does not exist.
-struct CourseRead {
+struct CourseRead : FileRead {
     Course course;
-    std::vector<Diagnostic> diagnostics;  ///< by position
-    std::string source;
-    std::vector<ReadText> texts;  ///< all texts for people in it
-
-    std::string report() const;
 };
 
 /// Reads a course; never throws for bad input. Does not check that the lessons exist.

@@ -1,7 +1,6 @@
 #include "lessons/files/snapshot_rules.hpp"
 
 #include "lessons/fields/fields.hpp"
-#include "lessons/fields/toml_text.hpp"
 #include "lessons/files/file_text.hpp"
 #include "lessons/typed/exact_text.hpp"
 
@@ -17,7 +16,7 @@ void read_part(Fields& fields, const char* key, double& part) {
     const auto read = fields.not_negative(key);
     if (!read) { return; }
     if (read->value > 1.0) {
-        fields.problems().add(
+        fields.report(
             Code::out_of_range, read->span,
             "'" + std::string(key) + "' is " +
                 short_number(read->value, writing::digits_apart(read->value, 1.0, 6)) + "; expected 0 to 1");
@@ -57,25 +56,23 @@ SnapshotRules rules_in(const toml::table& table, Problems& problems) {
 }  // namespace
 
 SnapshotRulesRead read_snapshot_rules(const std::filesystem::path& file) {
+    SnapshotRulesRead result;
     std::error_code error;
     // a broken link is a mistake, not a request for the defaults
     if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
-        return {SnapshotRules{}, {}, {}};
+        result.rules.emplace();
+        return result;
     }
     FileText read = read_file_text(file, kLargestRules);
-    std::string source = std::move(read.text);
-    Problems problems(file.string(), source);
-    SnapshotRulesRead result;
     if (!read.problem.empty()) {
-        problems.add(Code::file_unreadable, {}, read.problem + "; expected a file of rules");
-    } else if (const auto table = reading::parse_toml(source, problems)) {
-        result.rules = rules_in(*table, problems);
+        result.blame(file.string(), Code::file_unreadable, read.problem + "; expected a file of rules");
+        return result;
     }
-    if (problems.errors_count() > 0) { result.rules.reset(); }
-    result.diagnostics = problems.take();
-    for (const Diagnostic& diagnostic : result.diagnostics) {
-        result.report += to_string(diagnostic, source);
-    }
+    const auto take = [&](const toml::table& table, Problems& problems) {
+        const SnapshotRules rules = rules_in(table, problems);
+        if (problems.errors_count() == 0) { result.rules = rules; }
+    };
+    read_toml(result, std::move(read.text), file.string(), take);
     return result;
 }
 

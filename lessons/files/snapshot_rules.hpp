@@ -2,10 +2,8 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/diagnostics/read_text.hpp"
 
 namespace jw {
 
@@ -31,10 +29,8 @@ struct SnapshotRules {
     int depth_steps = 8;  ///< largest difference of a depth, of 16384 at the distance of the camera's target
 };
 
-struct SnapshotRulesRead {
+struct SnapshotRulesRead : FileRead {
     std::optional<SnapshotRules> rules;
-    std::vector<Diagnostic> diagnostics;
-    std::string report;  ///< diagnostics in compiler style
 };
 
 /// Reads the rules of a file; a file that is not there gives the rules above.

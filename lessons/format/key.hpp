@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
+
+#include "core/numerics/linear.hpp"
 
 /// Keys of the tables of a lesson file as data: type, unit, range and words.
 namespace jw {
@@ -86,6 +90,17 @@ struct UnitEnding {
 /// Endings of a spelling; the empty one is that of the plain name.
 std::span<const UnitEnding> endings_of(Spelling spelling);
 
+/// A name that authors try instead of a key: a symbol of the book, a word of another program.
+struct OtherName {
+    std::string_view tried;
+    std::string_view meant;  ///< a key, without the unit at its end
+};
+
+std::span<const OtherName> other_names();
+
+/// The key that an author who typed `tried` meant; empty if it is not among `keys`.
+std::string key_meant_by(std::string_view tried, std::span<const std::string> keys);
+
 /// A key as it may stand in a file.
 struct SpelledKey {
     std::string name;
@@ -143,6 +158,32 @@ constexpr auto joined(const std::array<T, N>&... lists) {
     auto next = all.begin();
     ((next = std::ranges::copy(lists, next).out), ...);
     return all;
+}
+
+// keys whose values are members of a struct: one line describes, reads and writes each of them
+
+/// A member of any type that a key can have.
+using MemberRef = std::variant<bool*, int*, double*, Vec3*, std::optional<double>*, std::optional<Vec3>*>;
+
+/// A key of a table and the member of a T that it fills. An absent key means the value of the member in T{}.
+template <class T>
+struct MemberKey {
+    Key key;
+    std::variant<
+        bool T::*, int T::*, double T::*, Vec3 T::*, std::optional<double> T::*, std::optional<Vec3> T::*>
+        member;
+
+    MemberRef of(T& value) const {
+        return std::visit([&](auto pointer) { return MemberRef(&(value.*pointer)); }, member);
+    }
+};
+
+/// The keys without their members, for the table that they are in.
+template <class T, std::size_t N>
+constexpr std::array<Key, N> keys_in(const std::array<MemberKey<T>, N>& keyed) {
+    std::array<Key, N> keys{};
+    std::ranges::transform(keyed, keys.begin(), &MemberKey<T>::key);
+    return keys;
 }
 
 }  // namespace jw

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/model/joint_types.hpp"
-#include "lessons/format/member_key.hpp"
+#include "lessons/format/key.hpp"
 #include "lessons/lesson/enum_words.hpp"
 #include "lessons/lesson/lesson.hpp"
 #include "lessons/typed/typed.hpp"

@@ -27,13 +27,13 @@ std::string arm(CoordinateChoice coordinates, const std::string& letter, char bo
            bold("p", body, "T") + ")";
 }
 
-/// Blocks of a body in the rows of a role, by its position and by its orientation.
-struct Blocks {
+/// BodyBlocks of a body in the rows of a role, by its position and by its orientation.
+struct BodyBlocks {
     std::string position = "0";
     std::string orientation = "0";
 };
 
-Blocks blocks_of(Role role, CoordinateChoice c, bool i) {
+BodyBlocks blocks_of(Role role, CoordinateChoice c, bool i) {
     const char own = i ? 'i' : 'j';
     const char other = i ? 'j' : 'i';
     const std::string minus = i ? "-" : "";
@@ -94,7 +94,7 @@ std::string block_name(const Block& block) {
 std::optional<std::string> block_formula(const Block& block) {
     // the equations with θ, and those of authors, are not on slide 14
     if (has_theta(block.role) || block.role == Role::formula) { return std::nullopt; }
-    const Blocks blocks = blocks_of(block.role, block.coordinates, block.body_i);
+    const BodyBlocks blocks = blocks_of(block.role, block.coordinates, block.body_i);
     return block.of_orientation ? blocks.orientation : blocks.position;
 }
 

@@ -1,4 +1,4 @@
-#include "lessons/formula/body_values.hpp"
+#include "lessons/formula/part_values.hpp"
 
 #include "core/jets/euler_parameters.hpp"
 

@@ -2,7 +2,8 @@
 #include <sstream>
 #include <utility>
 
-#include "lessons/formula/evaluate_formula.hpp"
+#include "lessons/formula/evaluator.hpp"
+#include "lessons/formula/value.hpp"
 #include "lessons/typed/exact_text.hpp"
 
 namespace jw::formula {
@@ -90,6 +91,10 @@ std::vector<Row> sides_of(const Row& equation) {
         }
     }
     return sides;
+}
+
+Value evaluate_expression(const Row& expression, const Meanings& meanings) {
+    return Evaluator<Value>(meanings).expression(expression);
 }
 
 Value evaluate_expression(const Row& expression, const std::vector<Row>& where, const Meanings& meanings) {

@@ -11,7 +11,6 @@
 
 #include "core/numerics/variants.hpp"
 #include "lessons/formula/evaluate_formula.hpp"
-#include "lessons/math/row_cursor.hpp"
 
 /// The grammar of formulas: which operation has which operands. The operations are those of `V`, found by
 /// their names: sum, difference, negative, product, quotient, dot, cross, length, transposed, skew,
@@ -32,13 +31,17 @@ public:
     }
 
 private:
-    [[noreturn]] static void fail(const math::Node& node, std::string message, std::string hint = {}) {
+    using Node = math::Node;
+    using SignKind = math::SignKind;
+    using RowCursor = math::RowCursor;
+
+    [[noreturn]] static void fail(const Node& node, std::string message, std::string hint = {}) {
         throw NotEvaluated({node.from, std::move(message), std::move(hint)});
     }
 
     /// Runs `f`; shapes that do not fit are reported at `node`.
     template <class F>
-    static V at(const math::Node& node, F&& f) {
+    static V at(const Node& node, F&& f) {
         try {
             return f();
         } catch (const NoValue& none) {
@@ -48,15 +51,15 @@ private:
         }
     }
 
-    V expression(math::RowCursor& cursor) const {
+    V expression(RowCursor& cursor) const {
         bool minus = sign_before(cursor);
-        const math::Node& first = cursor.peek();
+        const Node& first = cursor.peek();
         V value = term(cursor);
         if (minus) {
             value = at(first, [&] { return negative(value); });
         }
         while (!cursor.at_end() && (is_sign(cursor.peek(), "+") || is_sign(cursor.peek(), "−"))) {
-            const math::Node& sign = cursor.next();
+            const Node& sign = cursor.next();
             minus = is_sign(sign, "−");
             if (cursor.at_end()) { fail(sign, "nothing stands after this sign"); }
             const V next = term(cursor);
@@ -65,22 +68,22 @@ private:
         return value;
     }
 
-    static bool sign_before(math::RowCursor& cursor) {
+    static bool sign_before(RowCursor& cursor) {
         if (!is_sign(cursor.peek(), "−") && !is_sign(cursor.peek(), "+")) { return false; }
-        const math::Node& sign = cursor.next();
+        const Node& sign = cursor.next();
         if (cursor.at_end()) { fail(sign, "nothing stands after this sign"); }
         return is_sign(sign, "−");
     }
 
-    static bool ends_term(const math::Node& node) {
-        return is_sign(node, "+") || is_sign(node, "−") || is_kind(node, math::SignKind::relation) ||
-               is_kind(node, math::SignKind::closing) || is_kind(node, math::SignKind::punctuation);
+    static bool ends_term(const Node& node) {
+        return is_sign(node, "+") || is_sign(node, "−") || is_kind(node, SignKind::relation) ||
+               is_kind(node, SignKind::closing) || is_kind(node, SignKind::punctuation);
     }
 
-    V term(math::RowCursor& cursor) const {
+    V term(RowCursor& cursor) const {
         V value = factor(cursor);
         while (!cursor.at_end() && !ends_term(cursor.peek()) && !ends_fence(cursor.peek())) {
-            const math::Node& node = cursor.peek();
+            const Node& node = cursor.peek();
             refuse_digit_behind(cursor.last(), node);
             const bool is_dot = is_sign(node, "·");
             const bool is_cross = is_sign(node, "×");
@@ -98,24 +101,23 @@ private:
     }
 
     /// Reports a digit behind a power, as in 10^12, which is read as 10^1 times 2.
-    static void refuse_digit_behind(const math::Node& before, const math::Node& node) {
-        const bool is_power = before.above.size() == 1 && is_kind(before.above[0], math::SignKind::number);
-        if (is_power && is_kind(node, math::SignKind::number) && node.from == before.above[0].to) {
+    static void refuse_digit_behind(const Node& before, const Node& node) {
+        const bool is_power = before.above.size() == 1 && is_kind(before.above[0], SignKind::number);
+        if (is_power && is_kind(node, SignKind::number) && node.from == before.above[0].to) {
             fail(
                 node, "this can be read in two ways",
                 "write braces around the exponent, or a space before this");
         }
     }
 
-    bool ends_fence(const math::Node& node) const {
-        return fences_ > 0 && is_kind(node, math::SignKind::fence);
-    }
+    bool ends_fence(const Node& node) const { return fences_ > 0 && is_kind(node, SignKind::fence); }
 
-    V factor(math::RowCursor& cursor) const {
-        const math::Node& node = cursor.next();
-        if (is_kind(node, math::SignKind::opening)) { return in_parentheses(cursor, node); }
-        if (is_kind(node, math::SignKind::fence)) { return between_fences(cursor, node); }
-        if (is_kind(node, math::SignKind::function)) { return function(cursor, node); }
+    V factor(RowCursor& cursor) const {
+        const Node& node = cursor.next();
+        if (is_kind(node, SignKind::opening) || is_kind(node, SignKind::fence)) {
+            return enclosed(cursor, node);
+        }
+        if (is_kind(node, SignKind::function)) { return function(cursor, node); }
         if (const auto* const fraction = std::get_if<math::Fraction>(&node.nucleus)) {
             if (const int order = order_of_operator(node, *fraction); order > 0) {
                 return differentiated(cursor, node, order);
@@ -124,28 +126,25 @@ private:
         return nucleus(node);
     }
 
-    V in_parentheses(math::RowCursor& cursor, const math::Node& open) const {
-        const Evaluator inside(*meanings_);
+    /// The expression in parentheses, or the length of the one between fences.
+    V enclosed(RowCursor& cursor, const Node& open) const {
+        const bool fences = is_kind(open, SignKind::fence);
+        Evaluator inside(*meanings_);
+        inside.fences_ = fences ? 1 : 0;
         if (cursor.at_end()) { fail(open, "this is not closed"); }
-        const V value = inside.expression(cursor);
-        if (cursor.at_end() || !is_kind(cursor.peek(), math::SignKind::closing)) {
+        V value = inside.expression(cursor);
+        if (cursor.at_end() || (!fences && !is_kind(cursor.peek(), SignKind::closing))) {
             fail(open, "this is not closed");
         }
-        return with_superscript(value, cursor.next());
-    }
-
-    V between_fences(math::RowCursor& cursor, const math::Node& open) const {
-        Evaluator inside(*meanings_);
-        inside.fences_ = 1;
-        if (cursor.at_end()) { fail(open, "this is not closed"); }
-        const V value = inside.expression(cursor);
-        if (cursor.at_end()) { fail(open, "this is not closed"); }
-        const math::Node& close = cursor.next();
-        return with_superscript(at(open, [&] { return length(value); }), close);
+        const Node& close = cursor.next();
+        if (fences) {
+            value = at(open, [&] { return length(value); });
+        }
+        return with_superscript(value, close);
     }
 
     /// Order of d/dt or d²/dt²; 0 for a fraction that is not such an operator.
-    static int order_of_operator(const math::Node& node, const math::Fraction& f) {
+    static int order_of_operator(const Node& node, const math::Fraction& f) {
         const bool over = f.above.size() == 1 && is_sign(f.above[0], "d");
         const bool under = f.below.size() == 2 && is_sign(f.below[0], "d") && is_sign(f.below[1], "t");
         if (!over || !under) { return 0; }
@@ -155,13 +154,13 @@ private:
         fail(node, "this derivative is not known", "write \\frac{d}{dt} or \\frac{d^2}{dt^2}");
     }
 
-    static bool in_brackets(const math::Node& node) {
+    static bool in_brackets(const Node& node) {
         const auto* const group = std::get_if<math::Group>(&node.nucleus);
-        return is_kind(node, math::SignKind::opening) || (group != nullptr && !group->open.empty());
+        return is_kind(node, SignKind::opening) || (group != nullptr && !group->open.empty());
     }
 
     /// Derivative of the expression in parentheses, or of the whole product that follows.
-    V differentiated(math::RowCursor& cursor, const math::Node& node, int order) const {
+    V differentiated(RowCursor& cursor, const Node& node, int order) const {
         if (cursor.at_end()) { fail(node, "nothing stands after this operator"); }
         V value = in_brackets(cursor.peek()) ? factor(cursor) : term(cursor);
         return at(node, [&] {
@@ -170,7 +169,7 @@ private:
         });
     }
 
-    V function(math::RowCursor& cursor, const math::Node& node) const {
+    V function(RowCursor& cursor, const Node& node) const {
         const std::string& name = std::get<math::Sign>(node.nucleus).utf8;
         if (cursor.at_end()) { fail(node, "nothing stands after this function"); }
         if (name == "atan2") { return angle_of_two(cursor, node); }
@@ -188,28 +187,28 @@ private:
         });
     }
 
-    static bool is_numeral(const math::Node& node) {
+    static bool is_numeral(const Node& node) {
         const auto* const fraction = std::get_if<math::Fraction>(&node.nucleus);
-        return is_kind(node, math::SignKind::number) ||
+        return is_kind(node, SignKind::number) ||
                (fraction != nullptr && are_numerals(fraction->above) && are_numerals(fraction->below));
     }
     static bool are_numerals(const math::Row& row) { return std::ranges::all_of(row, is_numeral); }
 
     /// Argument of a function: one factor, or a product that begins with a number, as in \sin 2\theta.
-    V argument(math::RowCursor& cursor, const math::Node& of) const {
-        const math::Node& first = cursor.peek();
+    V argument(RowCursor& cursor, const Node& of) const {
+        const Node& first = cursor.peek();
         V value = factor(cursor);
-        const auto goes_on = [&](const math::Node& node) {
+        const auto goes_on = [&](const Node& node) {
             return is_numeral(first) && !ends_term(node) && !ends_fence(node) &&
-                   !is_kind(node, math::SignKind::operation) && !is_kind(node, math::SignKind::function) &&
+                   !is_kind(node, SignKind::operation) && !is_kind(node, SignKind::function) &&
                    !is_sign(node, "/");
         };
         while (!cursor.at_end() && goes_on(cursor.peek())) {
-            const math::Node& node = cursor.peek();
+            const Node& node = cursor.peek();
             const V next = factor(cursor);
             value = at(node, [&] { return product(value, next); });
         }
-        if (is_kind(first, math::SignKind::opening) && !cursor.last().above.empty()) {
+        if (is_kind(first, SignKind::opening) && !cursor.last().above.empty()) {
             const std::string name = std::get<math::Sign>(of.nucleus).utf8;
             fail(
                 cursor.last(), "this can be read in two ways",
@@ -223,21 +222,20 @@ private:
         return value;
     }
 
-    V angle_of_two(math::RowCursor& cursor, const math::Node& node) const {
-        if (!is_kind(cursor.next(), math::SignKind::opening)) { fail(node, "expected atan2(y, x)"); }
+    V angle_of_two(RowCursor& cursor, const Node& node) const {
+        const auto expect = [&](bool holds) {
+            if (!holds) { fail(node, "expected atan2(y, x)"); }
+        };
+        expect(is_kind(cursor.next(), SignKind::opening));
         const Evaluator inside(*meanings_);
         const V y = as_number(inside.expression(cursor));
-        if (cursor.at_end() || !is_sign(cursor.next(), ",") || cursor.at_end()) {
-            fail(node, "expected atan2(y, x)");
-        }
+        expect(!cursor.at_end() && is_sign(cursor.next(), ",") && !cursor.at_end());
         const V x = as_number(inside.expression(cursor));
-        if (cursor.at_end() || !is_kind(cursor.next(), math::SignKind::closing)) {
-            fail(node, "expected atan2(y, x)");
-        }
+        expect(!cursor.at_end() && is_kind(cursor.next(), SignKind::closing));
         return at(node, [&] { return arc_tangent_of_two(y, x); });
     }
 
-    V nucleus(const math::Node& node) const {
+    V nucleus(const Node& node) const {
         return std::visit(
             Overloaded{
                 [&](const math::Sign& sign) { return sign_value(node, sign); },
@@ -260,13 +258,13 @@ private:
             node.nucleus);
     }
 
-    V group_value(const math::Node& node, const math::Group& group) const {
+    V group_value(const Node& node, const math::Group& group) const {
         const V value = expression(group.inner);
         const bool bars = group.open == "|" || group.open == "‖";
         return with_superscript(bars ? at(node, [&] { return length(value); }) : value, node);
     }
 
-    V matrix_value(const math::Node& node, const math::Matrix& matrix) const {
+    V matrix_value(const Node& node, const math::Matrix& matrix) const {
         std::vector<std::vector<V>> blocks;
         for (const auto& row : matrix.rows) {
             blocks.emplace_back();
@@ -275,37 +273,31 @@ private:
         return at(node, [&] { return stacked(blocks); });
     }
 
-    V quantity(const math::Node& node, const std::string& name) const {
+    V quantity(const Node& node, const std::string& name) const {
         const std::optional<V> value = meanings_->words ? meanings_->words(name) : std::nullopt;
         if (!value) { fail(node, "'" + name + "' is no quantity here", "docs/quantities.md lists them"); }
         return *value;
     }
 
-    V sign_value(const math::Node& node, const math::Sign& sign) const {
-        if (sign.kind == math::SignKind::number) {
+    V sign_value(const Node& node, const math::Sign& sign) const {
+        if (sign.kind == SignKind::number) {
             const double x = std::strtod(sign.utf8.c_str(), nullptr);
             return with_superscript(V::written(x), node);
         }
-        if (sign.kind != math::SignKind::letter) { fail(node, "'" + sign.utf8 + "' cannot stand here"); }
+        if (sign.kind != SignKind::letter) { fail(node, "'" + sign.utf8 + "' cannot stand here"); }
         return symbol_value(node, sign.utf8, {});
     }
 
     /// Value of a symbol with accents, of which the innermost is the last.
     V symbol_value(
-        const math::Node& node, const std::string& letter,
-        const std::vector<math::AccentKind>& accents) const {
+        const Node& node, const std::string& letter, const std::vector<math::AccentKind>& accents) const {
         Superscript script;
         const Symbol symbol = symbol_of(letter, node.below, node.above, script);
-        V value = meaning_of(node, symbol);
-        return at(node, [&] {
-            for (auto accent = accents.rbegin(); accent != accents.rend(); ++accent) {
-                value = marked(value, *accent);
-            }
-            return with(value, script, node);
-        });
+        const V value = meaning_of(node, symbol);
+        return at(node, [&] { return with(marked(value, accents), script, node); });
     }
 
-    V meaning_of(const math::Node& node, const Symbol& symbol) const {
+    V meaning_of(const Node& node, const Symbol& symbol) const {
         if (symbol == Symbol{"I", 0, {}, {}}) {
             return at(node, [] { return V::unit_matrix(); });
         }
@@ -334,7 +326,7 @@ private:
         return component(*value, static_cast<Eigen::Index>(axis));
     }
 
-    V accented(const math::Node& node) const {
+    V accented(const Node& node) const {
         std::vector<math::AccentKind> accents;
         const math::Row* inner = nullptr;
         for (const auto* accent = std::get_if<math::Accent>(&node.nucleus); accent != nullptr;) {
@@ -343,17 +335,18 @@ private:
             const bool nested = inner->size() == 1 && (*inner)[0].below.empty() && (*inner)[0].above.empty();
             accent = nested ? std::get_if<math::Accent>(&(*inner)[0].nucleus) : nullptr;
         }
-        const bool letter = inner->size() == 1 && is_kind((*inner)[0], math::SignKind::letter) &&
+        const bool letter = inner->size() == 1 && is_kind((*inner)[0], SignKind::letter) &&
                             (*inner)[0].below.empty() && (*inner)[0].above.empty();
         if (letter) { return symbol_value(node, std::get<math::Sign>((*inner)[0].nucleus).utf8, accents); }
-        V value = expression(*inner);
-        value = at(node, [&] {
-            for (auto accent = accents.rbegin(); accent != accents.rend(); ++accent) {
-                value = marked(value, *accent);
-            }
-            return value;
-        });
-        return with_superscript(value, node);
+        const V value = expression(*inner);
+        return with_superscript(at(node, [&] { return marked(value, accents); }), node);
+    }
+
+    static V marked(V value, const std::vector<math::AccentKind>& accents) {
+        for (auto accent = accents.rbegin(); accent != accents.rend(); ++accent) {
+            value = marked(value, *accent);
+        }
+        return value;
     }
 
     static V marked(const V& value, math::AccentKind accent) {
@@ -368,7 +361,7 @@ private:
         throw Mismatch("this accent means nothing in a formula that is evaluated");
     }
 
-    V with(const V& value, const Superscript& script, const math::Node& node) const {
+    V with(const V& value, const Superscript& script, const Node& node) const {
         if (script.power.empty()) { return script.transposed ? transposed(value) : value; }
         const Evaluator inside(*meanings_);
         const V n = as_number(inside.expression(script.power));
@@ -382,7 +375,7 @@ private:
     }
 
     /// Value with the superscript of a node that is not a symbol: only transposes and powers are allowed.
-    V with_superscript(const V& value, const math::Node& node) const {
+    V with_superscript(const V& value, const Node& node) const {
         Superscript script;
         if (!node.below.empty()) { fail(node, "a subscript cannot stand here"); }
         if (!read_superscript(node.above, script)) {

@@ -1,4 +1,4 @@
-#include "lessons/formula/functions.hpp"
+#include "lessons/formula/value.hpp"
 
 #include <algorithm>
 #include <cmath>

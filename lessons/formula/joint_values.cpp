@@ -1,4 +1,4 @@
-#include "lessons/formula/joint_values.hpp"
+#include "lessons/formula/part_values.hpp"
 
 #include <algorithm>
 #include <variant>

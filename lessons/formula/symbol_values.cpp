@@ -8,9 +8,7 @@
 
 #include "core/elementary/elementary.hpp"
 #include "core/quantity/names.hpp"
-#include "lessons/formula/body_values.hpp"
-#include "lessons/formula/joint_values.hpp"
-#include "lessons/formula/system_values.hpp"
+#include "lessons/formula/part_values.hpp"
 
 namespace jw::formula {
 

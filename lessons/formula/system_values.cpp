@@ -1,4 +1,4 @@
-#include "lessons/formula/system_values.hpp"
+#include "lessons/formula/part_values.hpp"
 
 #include <algorithm>
 #include <vector>

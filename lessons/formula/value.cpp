@@ -1,7 +1,8 @@
-#include "lessons/formula/functions.hpp"
+#include "lessons/formula/value.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "core/eigen/decompositions.hpp"
@@ -267,43 +268,33 @@ namespace {
 
 using Blocks = std::vector<std::vector<Value>>;
 
-/// Size that the given blocks of a row or column agree on; 0 if all of them are 0 or I.
-template <class Size>
-Eigen::Index common_size(const std::vector<const Value*>& list, Size&& size, const char* what) {
-    Eigen::Index found = 0;
-    for (const Value* v : list) {
-        if (v->kind != Kind::matrix) { continue; }
-        if (found != 0 && found != size(*v)) {
-            throw Mismatch(std::string("blocks of one ") + what + " differ in size");
-        }
-        found = size(*v);
-    }
-    return found;
-}
-
 struct Sizes {
     std::vector<Eigen::Index> heights;
     std::vector<Eigen::Index> widths;
 };
 
+/// Takes the size of a block, which must be that of the blocks before it. @param size  0 before the first
+void agree(Eigen::Index& size, Eigen::Index of_block, const char* what) {
+    if (size != 0 && size != of_block) {
+        throw Mismatch(std::string("blocks of one ") + what + " differ in size");
+    }
+    size = of_block;
+}
+
 Sizes sizes_of(const Blocks& blocks) {
     const std::size_t columns = blocks.front().size();
-    Sizes sizes;
+    Sizes sizes{std::vector<Eigen::Index>(blocks.size()), std::vector<Eigen::Index>(columns)};
     bool numbers_only = true;
-    for (const auto& row : blocks) {
-        std::vector<const Value*> list;
-        for (const Value& v : row) {
-            list.push_back(&v);
+    for (std::size_t r = 0; r < blocks.size(); ++r) {
+        for (const Value& v : blocks[r]) {
             numbers_only = numbers_only && (v.is_number() || v.kind != Kind::matrix);
+            if (v.kind == Kind::matrix) { agree(sizes.heights[r], v.rows(), "row"); }
         }
-        sizes.heights.push_back(common_size(
-            list, [](const Value& v) { return v.rows(); }, "row"));
     }
     for (std::size_t c = 0; c < columns; ++c) {
-        std::vector<const Value*> list;
-        for (const auto& row : blocks) { list.push_back(&row[c]); }
-        sizes.widths.push_back(common_size(
-            list, [](const Value& v) { return v.cols(); }, "column"));
+        for (const auto& row : blocks) {
+            if (row[c].kind == Kind::matrix) { agree(sizes.widths[c], row[c].cols(), "column"); }
+        }
     }
     // I is square
     for (std::size_t r = 0; r < blocks.size(); ++r) {
@@ -325,10 +316,8 @@ Sizes sizes_of(const Blocks& blocks) {
 Value stacked(const Blocks& blocks) {
     if (blocks.empty() || blocks.front().empty()) { throw Mismatch("a matrix without entries"); }
     const Sizes sizes = sizes_of(blocks);
-    const auto total = [](const std::vector<Eigen::Index>& list) {
-        Eigen::Index sum = 0;
-        for (const Eigen::Index size : list) { sum += size; }
-        return sum;
+    const auto total = [](const auto& list) {
+        return std::accumulate(list.begin(), list.end(), Eigen::Index{0});
     };
     Value out = constant(MatrixX::Zero(total(sizes.heights), total(sizes.widths)));
     Eigen::Index top = 0;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/quantity/quantity.hpp"
-#include "lessons/diagnostics/source_span.hpp"
+#include "lessons/diagnostics/text_place.hpp"
 #include "lessons/formula/subject.hpp"
 #include "lessons/text/text.hpp"
 

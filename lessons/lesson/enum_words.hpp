@@ -13,7 +13,7 @@
 #include "core/motion/loads.hpp"
 #include "lessons/lesson/claims.hpp"
 #include "lessons/lesson/questions.hpp"
-#include "lessons/text/translatable.hpp"
+#include "lessons/text/text.hpp"
 
 /// Words of enumerators: one table for each enum, looked up both ways.
 namespace jw {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/diagnostics/source_span.hpp"
+#include "lessons/diagnostics/text_place.hpp"
 #include "lessons/lesson/enum_words.hpp"
 #include "lessons/text/text.hpp"
 

@@ -5,9 +5,10 @@
 #include <type_traits>
 #include <variant>
 
+#include "lessons/lesson/exercise.hpp"
 #include "lessons/lesson/lesson.hpp"
 
-/// Lessons in another language than the one that they are written in.
+/// Lessons and exercises in another language than the one that they are written in.
 namespace jw {
 
 /// Calls `visit` with every text for people of a lesson.
@@ -32,8 +33,25 @@ void for_each_text(AnyLesson& lesson, Visit&& visit) {
     for (auto& trial : lesson.trials) { visit(trial.text); }
 }
 
+/// Calls `visit` with every text for people of an exercise and of its alternatives.
+template <class AnyExercise, class Visit>
+requires std::same_as<std::remove_const_t<AnyExercise>, Exercise>
+void for_each_text(AnyExercise& exercise, Visit&& visit) {
+    for (auto* text : {&exercise.title, &exercise.ask, &exercise.why}) { visit(*text); }
+    for (auto& hint : exercise.hints) { visit(hint); }
+    for (auto& item : exercise.items) { visit(item); }
+    for (auto& choice : exercise.choices) {
+        visit(choice.text);
+        visit(choice.why);
+    }
+    for (auto& alternative : exercise.alternatives) { for_each_text(alternative, visit); }
+}
+
 /// The lesson with its texts in the language `tag` (Text::show); a text that is not translated stays as it
 /// is. Writing it to a file gives the same lesson, with all of its languages.
-Lesson in_language(Lesson lesson, std::string_view tag);
+inline Lesson in_language(Lesson lesson, std::string_view tag) {
+    for_each_text(lesson, [&](Text& text) { text.show(tag); });
+    return lesson;
+}
 
 }  // namespace jw

@@ -9,7 +9,6 @@
 #include "core/model/mechanism.hpp"
 #include "core/motion/loads.hpp"
 #include "core/numerics/variants.hpp"
-#include "lessons/lesson/addition.hpp"
 #include "lessons/lesson/claims.hpp"
 #include "lessons/lesson/questions.hpp"
 

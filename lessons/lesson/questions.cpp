@@ -18,18 +18,15 @@ bool is_there(const Quantity& quantity, const Lesson& lesson) {
 
 /// False if the answer is about something that was taken out.
 bool is_there(const Answer& answer, const Lesson& lesson) {
+    const auto has_thing = [&](const Thing& thing) { return is_present(thing, lesson); };
     return std::visit(
         Overloaded{
-            [](const CountAnswer&) { return true; },
             [&](const DroppedAnswer& a) {
                 return is_added({Addition::Kind::joint, a.joint}, lesson);
             },
             [&](const QuantityAnswer& a) { return is_there(a.quantity, lesson); },
-            [](const ChoiceAnswer&) { return true; },
-            [&](const PointedAnswer& a) {
-                return std::ranges::all_of(a.right, [&](const Thing& t) { return is_present(t, lesson); });
-            },
-            [](const PoseAnswer&) { return true; },
+            [&](const PointedAnswer& a) { return std::ranges::all_of(a.right, has_thing); },
+            [](const auto&) { return true; },
         },
         answer);
 }
@@ -49,7 +46,7 @@ bool is_added(const Addition& addition, const Lesson& lesson) {
     if (!is_in_order(addition)) { return false; }
     if (addition.kind == Addition::Kind::joint) { return true; }
     // a driver is taken out with its joint
-    const int joint = lesson.mechanism.drivers[static_cast<std::size_t>(addition.index)].joint;
+    const int joint = lesson.mechanism.drivers[jw::at(addition.index)].joint;
     return joint < 0 || is_in_order({Addition::Kind::joint, joint});
 }
 

@@ -5,12 +5,20 @@
 #include <variant>
 #include <vector>
 
-#include "lessons/lesson/addition.hpp"
 #include "lessons/lesson/claims.hpp"
 #include "lessons/lesson/things.hpp"
 
 /// Questions that a lesson asks before it shows a step, and experiments that it proposes.
 namespace jw {
+
+/// A joint or a driver that is added in one step.
+struct Addition {
+    enum class Kind { joint, driver };
+    Kind kind = Kind::joint;
+    int index = 0;  ///< into mechanism.joints or mechanism.drivers
+
+    bool operator==(const Addition&) const = default;
+};
 
 /// A number after the step: the rank, the freedoms, ...
 struct CountAnswer {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "lessons/lesson/equation_labels.hpp"
 #include "lessons/lesson/lesson.hpp"
 #include "lessons/lesson/questions.hpp"
 
@@ -11,7 +10,22 @@ namespace jw {
 
 namespace {
 
-constexpr std::array kPartNames{"s_i", "s_j", "d"};
+int equations_count(Role role, ParallelForm form) {
+    const Primitive primitive = primitive_of(role, JointGeometry{}, form);
+    return std::visit([](const auto& p) { return p.kEquations; }, primitive);
+}
+
+/// A vector of a joint: its name, and the vectors of primitives and of formulas that it stands for.
+struct PointedVector {
+    const char* name;
+    unsigned of_primitives;
+    std::array<FormulaVector, 2> of_formulas;
+};
+// by Thing::kVectorI, kVectorJ, kVectorD
+constexpr std::array kParts{
+    PointedVector{"s_i", kPoints | kAxisI | kSidesH | kSidesU, {FormulaVector::s_i, FormulaVector::u_i}},
+    PointedVector{"s_j", kPoints | kAxisJ | kSidesH | kSidesU, {FormulaVector::s_j, FormulaVector::u_j}},
+    PointedVector{"d", kD, {FormulaVector::d, FormulaVector::d}}};
 
 int count_of(std::size_t size) { return static_cast<int>(size); }
 
@@ -19,16 +33,6 @@ void add_vectors(const Joint& joint, int index, std::vector<Thing>& things) {
     for (const int part : {Thing::kVectorI, Thing::kVectorJ, Thing::kVectorD}) {
         const auto has = [&](Role role) { return is_made_of(joint, role, part); };
         if (std::ranges::any_of(joint.type->roles, has)) { things.push_back(Thing::vector(index, part)); }
-    }
-}
-
-/// True if a formula contains vectors of a part.
-bool has_part(const ScalarFormula& formula, int part) {
-    using enum FormulaVector;
-    switch (part) {
-        case Thing::kVectorI: return contains_any(formula, {s_i, u_i});
-        case Thing::kVectorJ: return contains_any(formula, {s_j, u_j});
-        default: return contains_any(formula, {d});
     }
 }
 
@@ -53,6 +57,31 @@ std::string trimmed(std::string_view name) {
 
 }  // namespace
 
+std::string primitive_name(Role role, ParallelForm form) {
+    const RoleTraits& traits = traits_of(role);
+    const bool as_pair = form == ParallelForm::pair && !traits.pair_name.empty();
+    return std::string(as_pair ? traits.pair_name : traits.name);
+}
+
+std::string component_name(int equations, int component) {
+    if (equations == 1) { return {}; }
+    const char* names = equations == 2 ? "ab" : "xyz";
+    return {names[component]};
+}
+
+std::vector<LabelledEquation> equations_of(const JointType& type, ParallelForm form) {
+    std::vector<LabelledEquation> all;
+    for (const Role role : type.roles) {
+        const int count = equations_count(role, form);
+        for (int k = 0; k < count; ++k) {
+            const std::string component = component_name(count, k);
+            all.push_back(
+                {primitive_name(role, form) + (component.empty() ? "" : " ") + component, {role, k}});
+        }
+    }
+    return all;
+}
+
 bool contains_any(const ScalarFormula& formula, std::initializer_list<FormulaVector> vectors) {
     return std::ranges::any_of(vectors, [&](FormulaVector vector) {
         const int first = variable_of(vector, 0);
@@ -61,13 +90,9 @@ bool contains_any(const ScalarFormula& formula, std::initializer_list<FormulaVec
 }
 
 bool is_made_of(const Joint& joint, Role role, int part) {
-    if (role == Role::formula) { return has_part(joint.geometry.formula, part); }
-    const unsigned vectors = traits_of(role).vectors;
-    switch (part) {
-        case Thing::kVectorI: return (vectors & (kPoints | kAxisI | kSidesH | kSidesU)) != 0;
-        case Thing::kVectorJ: return (vectors & (kPoints | kAxisJ | kSidesH | kSidesU)) != 0;
-        default: return (vectors & kD) != 0;
-    }
+    const auto& [name, of_primitives, of_formulas] = kParts[jw::at(part)];
+    if (role != Role::formula) { return (traits_of(role).vectors & of_primitives) != 0; }
+    return contains_any(joint.geometry.formula, {of_formulas[0], of_formulas[1]});
 }
 
 std::vector<Thing> things_of(const Mechanism& mechanism, Thing::Kind kind) {
@@ -77,7 +102,7 @@ std::vector<Thing> things_of(const Mechanism& mechanism, Thing::Kind kind) {
         return things;
     }
     for (int k = 0; k < count_of(mechanism.joints.size()); ++k) {
-        const Joint& joint = mechanism.joints[static_cast<std::size_t>(k)];
+        const Joint& joint = mechanism.joints[jw::at(k)];
         if (kind == Thing::Kind::joint) { things.push_back(Thing::joint(k)); }
         if (joint.type == nullptr) { continue; }
         if (kind == Thing::Kind::vector) { add_vectors(joint, k, things); }
@@ -97,8 +122,7 @@ std::string name_of(const Thing& thing, const Mechanism& mechanism) {
     switch (thing.kind) {
         case Thing::Kind::body: return mechanism.bodies[k].name;
         case Thing::Kind::joint: return mechanism.joints[k].name;
-        case Thing::Kind::vector:
-            return mechanism.joints[k].name + " " + kPartNames[static_cast<std::size_t>(thing.part)];
+        case Thing::Kind::vector: return mechanism.joints[k].name + " " + kParts[jw::at(thing.part)].name;
         case Thing::Kind::row: break;
     }
     if (thing.driven) { return mechanism.drivers[k].name; }
@@ -118,7 +142,7 @@ bool is_present(const Thing& thing, const Lesson& lesson) {
     if (thing.kind == Thing::Kind::row && thing.driven) {
         return is_added({Addition::Kind::driver, thing.index}, lesson);
     }
-    const Joint& joint = lesson.mechanism.joints[static_cast<std::size_t>(thing.index)];
+    const Joint& joint = lesson.mechanism.joints[jw::at(thing.index)];
     const bool has_row = thing.kind != Thing::Kind::row || !label_of(joint, thing.equation).empty();
     return has_row && is_added({Addition::Kind::joint, thing.index}, lesson);
 }

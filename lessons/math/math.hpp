@@ -110,5 +110,28 @@ inline bool Matrix::operator==(const Matrix&) const = default;
 bool is_sign(const Node& node, const char* utf8);
 /// True if the node is a sign of that kind, with any scripts.
 bool is_kind(const Node& node, SignKind kind);
+/// True if an operation after this node has no left operand: it is the sign of a number, not a difference.
+bool precedes_operand(const Node& node);
+
+/// A position in a row of nodes; spaces are skipped.
+class RowCursor {
+public:
+    explicit RowCursor(const Row& row) {
+        for (const Node& node : row) {
+            if (!std::holds_alternative<Space>(node.nucleus)) { nodes_.push_back(&node); }
+        }
+    }
+    bool at_end() const { return at_ >= nodes_.size(); }
+    const Node& peek() const { return *nodes_[at_]; }
+    const Node* ahead(std::size_t count) const {
+        return at_ + count < nodes_.size() ? nodes_[at_ + count] : nullptr;
+    }
+    const Node& next() { return *nodes_[at_++]; }
+    const Node& last() const { return *nodes_[at_ - 1]; }
+
+private:
+    std::vector<const Node*> nodes_;
+    std::size_t at_ = 0;
+};
 
 }  // namespace jw::math

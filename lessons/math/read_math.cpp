@@ -7,6 +7,7 @@
 
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/math/symbols.hpp"
+#include "lessons/text/utf8.hpp"
 
 namespace jw::math {
 
@@ -55,9 +56,7 @@ private:
             ++end;
             while (word && end < source_.size() && is_letter(source_[end])) { ++end; }
         } else {
-            while (end < source_.size() && (static_cast<unsigned char>(source_[end]) & 0xC0U) == 0x80U) {
-                ++end;
-            }
+            while (end < source_.size() && !starts_character(source_[end])) { ++end; }
         }
         return source_.substr(at_, end - at_);
     }
@@ -104,7 +103,7 @@ private:
         for (;;) {
             const std::size_t at = at_;
             if (take("'") || take("′")) {
-                node.above.push_back({Sign{"′", SignKind::ordinary, Alphabet::italic}, {}, {}, at, at_});
+                node.above.push_back(made(Sign{"′", SignKind::ordinary}, at));
             } else if (take("_")) {
                 if (std::exchange(lower, true)) { fail(at, "a second subscript of the same sign"); }
                 node.below = read_argument("after '_'", inner_alphabet(alphabet));
@@ -170,10 +169,14 @@ private:
     }
 
     Node one_digit() {
-        Node node{
-            Sign{std::string(1, source_[at_]), SignKind::number, Alphabet::italic}, {}, {}, at_, at_ + 1};
-        ++at_;
-        return node;
+        const std::size_t from = at_++;
+        return made(Sign{std::string(1, source_[from]), SignKind::number}, from);
+    }
+
+    /// A node without scripts, read from `from` on.
+    template <class Nucleus>
+    Node made(Nucleus&& nucleus, std::size_t from) const {
+        return {std::forward<Nucleus>(nucleus), {}, {}, from, at_};
     }
 
     Node read_nucleus(Alphabet alphabet) {
@@ -187,9 +190,9 @@ private:
         if (is_digit(token.front())) { return read_number(alphabet); }
         at_ += token.size();
         if (is_letter(token.front())) {
-            return {Sign{std::string(token), SignKind::letter, alphabet}, {}, {}, from, at_};
+            return made(Sign{std::string(token), SignKind::letter, alphabet}, from);
         }
-        if (token == "~") { return {Space{0.33}, {}, {}, from, at_}; }
+        if (token == "~") { return made(Space{0.33}, from); }
         const Symbol* symbol = symbol_of_command(token);
         if (symbol == nullptr) { symbol = symbol_of_character(token); }
         if (symbol == nullptr) {
@@ -202,12 +205,7 @@ private:
 
     Node sign_of(const Symbol& symbol, Alphabet alphabet, std::size_t from) const {
         const bool styled = symbol.kind == SignKind::letter;
-        return {
-            Sign{std::string(symbol.utf8), symbol.kind, styled ? alphabet : Alphabet::italic},
-            {},
-            {},
-            from,
-            at_};
+        return made(Sign{std::string(symbol.utf8), symbol.kind, styled ? alphabet : Alphabet::italic}, from);
     }
 
     /// A group of one node is that node, so that scripts belong to it.
@@ -218,7 +216,7 @@ private:
             node.to = at_;
             return node;
         }
-        return {Group{"", "", std::move(row)}, {}, {}, from, at_};
+        return made(Group{"", "", std::move(row)}, from);
     }
 
     Node read_number(Alphabet alphabet) {
@@ -232,8 +230,7 @@ private:
             digits();
         }
         const Alphabet style = alphabet == Alphabet::bold ? alphabet : Alphabet::italic;
-        return {
-            Sign{std::string(source_.substr(from, at_ - from)), SignKind::number, style}, {}, {}, from, at_};
+        return made(Sign{std::string(source_.substr(from, at_ - from)), SignKind::number, style}, from);
     }
 
     Node read_command(std::string_view token, Alphabet alphabet) {
@@ -242,18 +239,18 @@ private:
         if (const Symbol* const symbol = symbol_of_command(token)) {
             return sign_of(*symbol, alphabet, from);
         }
-        for (const AlphabetCommand& c : alphabets()) {
+        for (const AlphabetCommand& c : kAlphabets) {
             if (c.command == token) {
                 return group_of(read_argument("after " + std::string(token), c.alphabet), from);
             }
         }
-        for (const AccentCommand& c : accents()) {
+        for (const AccentCommand& c : kAccents) {
             if (c.command != token) { continue; }
             Row inner = read_argument("after " + std::string(token), alphabet);
-            return {Accent{c.kind, std::move(inner)}, {}, {}, from, at_};
+            return made(Accent{c.kind, std::move(inner)}, from);
         }
-        for (const SpaceCommand& c : spaces()) {
-            if (c.command == token) { return {Space{c.em}, {}, {}, from, at_}; }
+        for (const SpaceCommand& c : kSpaces) {
+            if (c.command == token) { return made(Space{c.em}, from); }
         }
         return read_structure(token, alphabet, from);
     }
@@ -262,12 +259,12 @@ private:
         if (token == "\\frac") {
             Row above = read_argument("after \\frac", alphabet);
             Row below = read_argument("after the numerator of \\frac", alphabet);
-            return {Fraction{std::move(above), std::move(below)}, {}, {}, from, at_};
+            return made(Fraction{std::move(above), std::move(below)}, from);
         }
-        if (token == "\\sqrt") { return {Root{read_argument("after \\sqrt", alphabet)}, {}, {}, from, at_}; }
-        if (token == "\\text") { return {Words{read_words(token)}, {}, {}, from, at_}; }
+        if (token == "\\sqrt") { return made(Root{read_argument("after \\sqrt", alphabet)}, from); }
+        if (token == "\\text") { return made(Words{read_words(token)}, from); }
         if (token == "\\operatorname") {
-            return {Sign{read_words(token), SignKind::function, Alphabet::upright}, {}, {}, from, at_};
+            return made(Sign{read_words(token), SignKind::function, Alphabet::upright}, from);
         }
         if (token == "\\left") { return read_delimited(alphabet, from); }
         if (token == "\\begin") { return read_matrix(alphabet, from); }
@@ -276,9 +273,9 @@ private:
 
     static std::string nearest_command(std::string_view token) {
         std::vector<std::string> names{"\\frac", "\\sqrt", "\\text", "\\operatorname", "\\left", "\\begin"};
-        for (const Symbol& s : symbols()) { names.emplace_back(s.command); }
-        for (const AccentCommand& s : accents()) { names.emplace_back(s.command); }
-        for (const AlphabetCommand& s : alphabets()) { names.emplace_back(s.command); }
+        for (const Symbol& s : kSymbols) { names.emplace_back(s.command); }
+        for (const AccentCommand& s : kAccents) { names.emplace_back(s.command); }
+        for (const AlphabetCommand& s : kAlphabets) { names.emplace_back(s.command); }
         const std::string near = did_you_mean(token, names);
         return near.empty() ? "docs/mathematics.md lists the commands" : near;
     }
@@ -299,8 +296,8 @@ private:
 
     std::string read_delimiter(std::string_view after) {
         const std::string_view token = next_token();
-        const auto found = std::ranges::find(delimiters(), token, &Delimiter::typed);
-        if (found == delimiters().end()) {
+        const auto found = std::ranges::find(kDelimiters, token, &Delimiter::typed);
+        if (found == kDelimiters.end()) {
             fail(
                 at_, "expected a delimiter after " + std::string(after) + ", found " + described(token),
                 "one of ( ) [ ] \\{ \\} | \\| or . for none");
@@ -315,15 +312,15 @@ private:
         group.inner = read_row(alphabet);
         expect("\\right", "to close the \\left before");
         group.close = read_delimiter("\\right");
-        return {std::move(group), {}, {}, from, at_};
+        return made(std::move(group), from);
     }
 
     Node read_matrix(Alphabet alphabet, std::size_t from) {
         const std::string name = read_words("\\begin");
-        const auto found = std::ranges::find(environments(), name, &Environment::name);
-        if (found == environments().end()) {
+        const auto found = std::ranges::find(kEnvironments, name, &Environment::name);
+        if (found == kEnvironments.end()) {
             std::vector<std::string> names;
-            for (const Environment& e : environments()) { names.emplace_back(e.name); }
+            for (const Environment& e : kEnvironments) { names.emplace_back(e.name); }
             fail(from, "unknown environment '" + name + "'; expected one of " + comma_list(names));
         }
         Matrix matrix{found->kind, {{}}};
@@ -343,7 +340,7 @@ private:
         std::size_t columns = 0;
         for (const auto& row : matrix.rows) { columns = std::max(columns, row.size()); }
         for (auto& row : matrix.rows) { row.resize(columns); }
-        return {std::move(matrix), {}, {}, from, at_};
+        return made(std::move(matrix), from);
     }
 
     std::string_view source_;

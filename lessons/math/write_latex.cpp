@@ -29,7 +29,7 @@ std::string sign_latex(const Sign& sign) {
 }
 
 std::string typed_delimiter(const std::string& drawn) {
-    return std::string(std::ranges::find(delimiters(), drawn, &Delimiter::drawn)->typed);
+    return std::string(std::ranges::find(kDelimiters, drawn, &Delimiter::drawn)->typed);
 }
 
 std::string matrix_latex(const Matrix& matrix) {
@@ -45,8 +45,8 @@ std::string matrix_latex(const Matrix& matrix) {
 }
 
 std::string space_latex(double em) {
-    const auto found = std::ranges::find(spaces(), em, &SpaceCommand::em);
-    return found == spaces().end() ? "~" : std::string(found->command);
+    const auto found = std::ranges::find(kSpaces, em, &SpaceCommand::em);
+    return found == kSpaces.end() ? "~" : std::string(found->command);
 }
 
 std::string nucleus_latex(const Node& node) {

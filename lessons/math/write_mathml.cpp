@@ -57,35 +57,30 @@ std::string bold(const std::string& utf8) {
     return escaped(utf8);
 }
 
-/// True if an operation after this sign has no left operand: it is a sign of a number, not a difference.
-bool leaves_nothing(const Sign& sign) {
-    return sign.kind == SignKind::operation || sign.kind == SignKind::relation ||
-           sign.kind == SignKind::opening || sign.kind == SignKind::punctuation;
-}
-
 /// @param first  the sign has no left operand
 std::string sign_mathml(const Sign& sign, bool first) {
-    switch (sign.kind) {
-        case SignKind::number:
-            return element("mn", sign.alphabet == Alphabet::bold ? bold(sign.utf8) : sign.utf8);
-        case SignKind::letter: {
-            if (sign.alphabet == Alphabet::bold) { return element("mi", bold(sign.utf8)); }
-            const bool upright = sign.alphabet == Alphabet::upright;
-            return element("mi", sign.utf8, upright ? " mathvariant=\"normal\"" : "");
-        }
-        case SignKind::function: return element("mi", escaped(sign.utf8));
-        case SignKind::operation:
-        case SignKind::relation:
-        case SignKind::opening:
-        case SignKind::closing:
-        case SignKind::fence:
-        case SignKind::punctuation:
-        case SignKind::large:
-        case SignKind::ordinary: break;
+    if (sign.kind == SignKind::number) {
+        return element("mn", sign.alphabet == Alphabet::bold ? bold(sign.utf8) : sign.utf8);
     }
+    if (sign.kind == SignKind::letter && sign.alphabet == Alphabet::bold) {
+        return element("mi", bold(sign.utf8));
+    }
+    if (sign.kind == SignKind::letter) {
+        const bool upright = sign.alphabet == Alphabet::upright;
+        return element("mi", sign.utf8, upright ? " mathvariant=\"normal\"" : "");
+    }
+    if (sign.kind == SignKind::function) { return element("mi", escaped(sign.utf8)); }
     // MathML would otherwise take it for a difference wherever something precedes it
     const bool prefix = first && sign.kind == SignKind::operation;
     return element("mo", escaped(sign.utf8), prefix ? " form=\"prefix\"" : "");
+}
+
+/// Delimiters around an element; an empty one is not drawn.
+std::string fenced(std::string_view open, const std::string& inner, std::string_view close) {
+    const auto fence = [](std::string_view drawn) {
+        return drawn.empty() ? std::string() : element("mo", escaped(drawn), " fence=\"true\"");
+    };
+    return element("mrow", fence(open) + inner + fence(close));
 }
 
 std::string row_mathml(const Row& row);
@@ -98,10 +93,7 @@ std::string matrix_mathml(const Matrix& matrix) {
         rows += element("mtr", cells);
     }
     const Environment& e = environment_of(matrix.kind);
-    const auto fence = [](std::string_view drawn) {
-        return drawn.empty() ? std::string() : element("mo", escaped(drawn), " fence=\"true\"");
-    };
-    return element("mrow", fence(e.open) + element("mtable", rows) + fence(e.close));
+    return fenced(e.open, element("mtable", rows), e.close);
 }
 
 std::string nucleus_mathml(const Node& node, bool first) {
@@ -117,12 +109,7 @@ std::string nucleus_mathml(const Node& node, bool first) {
                     "mover", row_mathml(a.inner) + element("mo", std::string(accent_of(a.kind).over)),
                     " accent=\"true\"");
             },
-            [](const Group& g) {
-                const auto fence = [](const std::string& drawn) {
-                    return drawn.empty() ? std::string() : element("mo", escaped(drawn), " fence=\"true\"");
-                };
-                return element("mrow", fence(g.open) + row_mathml(g.inner) + fence(g.close));
-            },
+            [](const Group& g) { return fenced(g.open, row_mathml(g.inner), g.close); },
             [](const Matrix& matrix) { return matrix_mathml(matrix); },
         },
         node.nucleus);
@@ -143,8 +130,7 @@ std::string row_mathml(const Row& row) {
     bool first = true;
     for (const Node& node : row) {
         inner += node_mathml(node, first);
-        const Sign* const sign = std::get_if<Sign>(&node.nucleus);
-        first = sign != nullptr && leaves_nothing(*sign);
+        first = precedes_operand(node);
     }
     return element("mrow", inner);
 }

@@ -72,17 +72,12 @@ std::string name_of(const Row& row) {
     return name;
 }
 
-std::string superscript_of(Row row) {
-    std::string primes;
-    while (!row.empty() && is_sign(row.front(), "′")) {
-        primes += "′";
-        row.erase(row.begin());
-    }
-    if (row.empty()) { return primes; }
-    if (const auto small = in_small(row, kSuperscripts)) { return primes + *small; }
+std::string superscript_of(const Row& row) {
+    if (row.empty()) { return {}; }
+    if (const auto small = in_small(row, kSuperscripts)) { return *small; }
     // names such as (p1,2) and (m)
-    if (is_sign(row.front(), "(") || is_sign(row.front(), "#")) { return primes + name_of(row); }
-    return primes + "^" + as_one(row);
+    if (is_sign(row.front(), "(") || is_sign(row.front(), "#")) { return name_of(row); }
+    return "^" + as_one(row);
 }
 
 /// Puts the accent over the first character, so that it is also readable over a word.
@@ -124,12 +119,6 @@ std::string nucleus_text(const Node& node) {
 
 bool is_space(const Node& node) { return std::holds_alternative<Space>(node.nucleus); }
 
-/// True if a minus after this node is the sign of the next operand.
-bool awaits_operand(const Node& node) {
-    return is_kind(node, SignKind::relation) || is_kind(node, SignKind::operation) ||
-           is_kind(node, SignKind::opening) || is_kind(node, SignKind::punctuation) || is_space(node);
-}
-
 /// The d of a differential: d/dt, dx.
 bool is_differential(const Node& node) {
     const Sign* const sign = std::get_if<Sign>(&node.nucleus);
@@ -148,9 +137,9 @@ public:
         if (is_space(left) || is_space(right)) { return ""; }
         if (is_kind(left, SignKind::relation) || is_kind(right, SignKind::relation)) { return " "; }
         if (is_kind(left, SignKind::punctuation)) { return " "; }
-        if (is_kind(right, SignKind::operation)) { return awaits_operand(left) ? "" : " "; }
+        if (is_kind(right, SignKind::operation)) { return precedes_operand(left) ? "" : " "; }
         if (is_kind(left, SignKind::operation)) {
-            return before == nullptr || awaits_operand(*before) ? "" : " ";
+            return before == nullptr || is_space(*before) || precedes_operand(*before) ? "" : " ";
         }
         if (is_kind(right, SignKind::punctuation)) { return ""; }
         if (is_kind(right, SignKind::closing) || is_kind(left, SignKind::opening)) { return ""; }
@@ -181,7 +170,7 @@ std::string write_plain(const Row& row) {
             primes += "′";
             above.erase(above.begin());
         }
-        text += primes + subscript_of(row[k].below) + superscript_of(std::move(above));
+        text += primes + subscript_of(row[k].below) + superscript_of(above);
     }
     return text;
 }

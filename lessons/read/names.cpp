@@ -99,9 +99,15 @@ const Named* Reading::addition(const Located<std::string>& name) const {
 }
 
 int Reading::place_of(const Named& addition) const {
-    const Addition wanted{
-        addition.kind == Named::Kind::joint ? Addition::Kind::joint : Addition::Kind::driver, addition.index};
-    return static_cast<int>(std::ranges::find(lesson.order, wanted) - lesson.order.begin());
+    return static_cast<int>(std::ranges::find(lesson.order, addition.addition()) - lesson.order.begin());
+}
+
+bool Reading::moves(int body, const SourceSpan& span) const {
+    if (!body_at(body).fixed) { return true; }
+    report(
+        Code::fixed_body, span,
+        "body " + in_quotes(body_at(body).name) + " is fixed; expected one that moves");
+    return false;
 }
 
 }  // namespace jw::reading

@@ -1,4 +1,4 @@
-#include "lessons/read/quantities.hpp"
+#include "lessons/read/reading.hpp"
 
 #include <algorithm>
 
@@ -31,14 +31,14 @@ void refuse(Fields& fields, const Located<std::string>& text, const Named& named
                        ", point.x (with the key 'point'), point.speed";
             break;
         case Named::Kind::joint: {
-            const Joint& joint = m.joints[static_cast<std::size_t>(named.index)];
+            const Joint& joint = m.joints[jw::at(named.index)];
             of += " of type " + std::string(joint.type->name);
             possible = words_behind(owner, quantities_of_joint(m, named.index), m);
             break;
         }
         case Named::Kind::driver: possible = words_behind(owner, quantities_of_driver(m, named.index), m);
     }
-    fields.problems().add(
+    fields.report(
         Code::unknown_quantity, text.span,
         in_quotes(text.value) + " is not a quantity of " + of + "; expected one of " + possible);
 }
@@ -52,7 +52,7 @@ const Named* owner_of(Fields& fields, const Located<std::string>& text, const Re
     std::vector<std::string> names;
     for (const auto& [name, named] : reading.names) { names.push_back(name); }
     names.emplace_back("energy");
-    fields.problems().add(
+    fields.report(
         Code::unknown_quantity, text.span,
         in_quotes(text.value) + " is not a quantity; expected NAME.WHAT with NAME one of " +
             comma_list(names),
@@ -70,6 +70,12 @@ std::vector<std::string> unit_endings(const Quantity& quantity, int derivative) 
     return {"_deg" + per, "_rad" + per};
 }
 
+Vec3* point_of(Quantity& quantity) {
+    if (auto* point = std::get_if<PointQuantity>(&quantity)) { return &point->s_local; }
+    auto* speed = std::get_if<PointSpeedQuantity>(&quantity);
+    return speed != nullptr ? &speed->s_local : nullptr;
+}
+
 std::optional<NamedQuantity> read_quantity(
     Fields& fields, const Located<std::string>& text, const Reading& reading) {
     const Mechanism& mechanism = reading.lesson.mechanism;
@@ -84,7 +90,7 @@ std::optional<NamedQuantity> read_quantity(
         return std::nullopt;
     }
     if (!read) {
-        fields.problems().add(
+        fields.report(
             Code::unknown_quantity, text.span,
             in_quotes(text.value) +
                 " is not a quantity; expected energy.kinetic, energy.potential, "
@@ -101,15 +107,11 @@ std::optional<NamedQuantity> read_quantity(
     if (read->wants_point) {
         const auto point = fields.vector("point");
         fields.require("point", "the point in the body's frame, three numbers in m");
-        if (auto* p = std::get_if<PointQuantity>(&out.quantity); p != nullptr && point) {
-            p->s_local = point->value;
-        }
-        if (auto* p = std::get_if<PointSpeedQuantity>(&out.quantity); p != nullptr && point) {
-            p->s_local = point->value;
-        }
+        Vec3* const into = point_of(out.quantity);
+        if (into != nullptr && point) { *into = point->value; }
     }
     if (needs_masses(out.quantity) && !reading.lesson.dynamics) {
-        fields.problems().add(
+        fields.report(
             Code::needs_dynamics, text.span,
             in_quotes(text.value) + " needs masses and forces; expected a table [dynamics]");
     }

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "lessons/read/quantities.hpp"
 #include "lessons/read/reading.hpp"
 
 namespace jw::reading {
@@ -16,10 +15,10 @@ bool place_on_joint(Fields& fields, const Reading& reading, What what, Driver& d
     fields.require("joint", "the joint whose freedom is driven");
     const Named* named = name ? reading.joint(*name) : nullptr;
     if (named == nullptr || !named->sound) { return false; }
-    const Joint& joint = reading.lesson.mechanism.joints[static_cast<std::size_t>(named->index)];
+    const Joint& joint = reading.joint_at(named->index);
     const auto has = what == What::angle ? &JointType::has_angle : &JointType::has_displacement;
     if (!(joint.type->*has)()) {
-        fields.problems().add(
+        fields.report(
             Code::no_such_freedom, name->span,
             "joint " + in_quotes(name->value) + " of type " + std::string(joint.type->name) + " has no " +
                 (what == What::angle ? "angle" : "displacement") + "; expected a joint of type " +
@@ -56,14 +55,6 @@ bool place_between_points(Fields& fields, const Reading& reading, Driver& driver
     return indices.sound;
 }
 
-/// Reports a body that does not move: nothing of it can be driven.
-void check_moves(Fields& fields, const Reading& reading, int body, const SourceSpan& span) {
-    const Body& driven = reading.lesson.mechanism.bodies[static_cast<std::size_t>(body)];
-    if (!driven.fixed) { return; }
-    fields.problems().add(
-        Code::fixed_body, span, "body " + in_quotes(driven.name) + " is fixed; expected one that moves");
-}
-
 bool place_on_body(Fields& fields, const Reading& reading, Driver& driver) {
     const auto name = fields.text("body");
     fields.require("body", "the body whose coordinate is driven");
@@ -71,7 +62,7 @@ bool place_on_body(Fields& fields, const Reading& reading, Driver& driver) {
     fields.require("coordinate", "one of x, y, z, e0, e1, e2, e3");
     const Named* named = name ? reading.body(*name) : nullptr;
     if (named == nullptr || !coordinate) { return false; }
-    check_moves(fields, reading, named->index, name->span);
+    reading.moves(named->index, name->span);
     driver.body_i = 0;
     driver.body_j = named->index;
     driver.measure = CoordinateMeasure{static_cast<int>(*coordinate)};
@@ -99,7 +90,7 @@ bool place_by_name(Fields& fields, const Reading& reading, const Located<std::st
         quantity != nullptr && std::holds_alternative<SquaredDistanceMeasure>(quantity->measure);
     const bool is_held = is_distance && (quantity->joint >= 0 || quantity->driver >= 0);
     if (quantity == nullptr || named->derivative != 0 || is_held) {
-        fields.problems().add(
+        fields.report(
             Code::cannot_be_driven, name.span,
             "no driver can prescribe " + in_quotes(name.value) +
                 "; expected the angle or displacement of a joint, a coordinate of a body or the "
@@ -108,15 +99,14 @@ bool place_by_name(Fields& fields, const Reading& reading, const Located<std::st
         return false;
     }
     if (is_distance && quantity->body_i == quantity->body_j) {
-        fields.problems().add(
+        fields.report(
             Code::same_body, name.span,
             "both points of " + in_quotes(name.value) + " belong to one body; expected two bodies");
         return false;
     }
     if (quantity->joint < 0) {
-        const std::vector<Body>& bodies = reading.lesson.mechanism.bodies;
-        const bool from_fixed = !is_distance || bodies[static_cast<std::size_t>(quantity->body_i)].fixed;
-        if (from_fixed) { check_moves(fields, reading, quantity->body_j, name.span); }
+        const bool from_fixed = !is_distance || reading.body_at(quantity->body_i).fixed;
+        if (from_fixed) { reading.moves(quantity->body_j, name.span); }
     }
     driver.joint = quantity->joint;
     driver.body_i = quantity->body_i;
@@ -126,40 +116,26 @@ bool place_by_name(Fields& fields, const Reading& reading, const Located<std::st
 }
 
 /// Value, in the start pose, of the measure that a driver prescribes [m or rad].
-class StartValue {
-public:
-    StartValue(const Reading& reading, const Driver& driver)
-        : mechanism_(reading.lesson.mechanism),
-          driver_(driver),
-          pair_(pair_of(reading, {driver.body_i, driver.body_j, true})) {}
-
-    double operator()(const AngleMeasure& /*m*/) const { return start_angle(pair_, geometry()); }
-    double operator()(const ThetaMeasure& /*m*/) const { return start_angle(pair_, geometry()); }
-    double operator()(const DisplacementMeasure& /*m*/) const {
-        return start_displacement(pair_, geometry());
-    }
-    double operator()(const SquaredDistanceMeasure& m) const {
-        return pair_.d(m.P_i_local, m.P_j_local).norm();
-    }
-    double operator()(const CoordinateMeasure& m) const {
-        const Body& body = mechanism_.bodies[static_cast<std::size_t>(driver_.body_j)];
-        return m.coordinate < 3 ? body.r(m.coordinate) : body.p(m.coordinate - 3);
-    }
-
-private:
-    const JointGeometry& geometry() const {
-        return mechanism_.joints[static_cast<std::size_t>(driver_.joint)].geometry;
-    }
-
-    const Mechanism& mechanism_;
-    const Driver& driver_;
-    BodyPair pair_;
-};
+double start_value(const Reading& reading, const Driver& driver) {
+    const BodyPair pair = pair_of(reading, {driver.body_i, driver.body_j, true});
+    const auto geometry = [&]() -> const JointGeometry& { return reading.joint_at(driver.joint).geometry; };
+    return std::visit(
+        Overloaded{
+            [&](const DisplacementMeasure&) { return start_displacement(pair, geometry()); },
+            [&](const SquaredDistanceMeasure& m) { return pair.d(m.P_i_local, m.P_j_local).norm(); },
+            [&](const CoordinateMeasure& m) {
+                const Body& body = reading.body_at(driver.body_j);
+                return m.coordinate < 3 ? body.r(m.coordinate) : body.p(m.coordinate - 3);
+            },
+            [&](const auto& /*angle*/) { return start_angle(pair, geometry()); },
+        },
+        driver.measure);
+}
 
 /// Checks the values over the motion and over the time of integration; without either, those at t = 0.
 void check_over_all_times(Fields& fields, const Lesson& lesson, const Driver& driver) {
     if (lesson.dynamics && driver.function.acceleration_jumps()) {
-        fields.problems().add(
+        fields.report(
             Code::cannot_be_driven, fields.span("table"),
             fields.what() +
                 " follows a monotone table, whose acceleration jumps at its times; expected "
@@ -201,7 +177,7 @@ void read_driver(Fields& fields, Reading& reading) {
         driver.function = read_time_function(fields, angle);
         if (from_start && from_start->value && placed) {
             driver.function.polynomial.resize(std::max<std::size_t>(1, driver.function.polynomial.size()));
-            driver.function.polynomial[0] += std::visit(StartValue(reading, driver), driver.measure);
+            driver.function.polynomial[0] += start_value(reading, driver);
         }
         fields.finish();
         if (placed && reading.problems->errors_count() == errors) {

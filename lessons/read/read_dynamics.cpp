@@ -26,12 +26,12 @@ void read_method(Fields& fields, DynamicsPlan& plan) {
     }
     const bool is_sound = read_members(fields, format::kAccuracy, settings);
     if (!is_tolerance(settings.tolerance)) {
-        fields.problems().add(
+        fields.report(
             Code::out_of_range, fields.span("tolerance"),
             "a tolerance of " + short_number(settings.tolerance) + "; " + std::string(kToleranceRange));
     }
     if (is_sound && fields.has("step") && plan.duration / settings.step > kMostFixedSteps) {
-        fields.problems().add(
+        fields.report(
             Code::too_much, fields.span("step"),
             "steps of " + short_number(settings.step) + " s are " +
                 short_number(plan.duration / settings.step, 3) +
@@ -48,7 +48,7 @@ void read_point(Fields& fields, const Reading& reading, DynamicsPlan& plan) {
     }
     const auto at_end = fields.vector("point_at_end");
     if (at_end && !fields.has("point")) {
-        fields.problems().add(
+        fields.report(
             Code::lonely_key, at_end->span,
             "'point_at_end' without 'point'; expected the point that it is the end of");
     } else if (at_end) {
@@ -78,7 +78,7 @@ void take_masses(Reading& reading, DynamicsPlan& plan) {
                 "leave them out, or 'fixed'");
         }
         if (bodies[b].fixed || reading.masses[b].given || named == reading.names.end()) { continue; }
-        reading.problems->add(
+        reading.report(
             Code::no_mass, named->second.span,
             "body " + in_quotes(bodies[b].name) +
                 " has no mass; expected 'mass' and 'inertia' of every body that moves in a lesson of "
@@ -97,13 +97,8 @@ std::optional<ReadPoint> read_point_of_body(Fields& fields, const Reading& readi
     fields.at_most_one({"at", "point"});
     const Named* named = name ? reading.body(*name) : nullptr;
     if (named == nullptr) { return std::nullopt; }
-    const Body& body = reading.lesson.mechanism.bodies[static_cast<std::size_t>(named->index)];
-    if (body.fixed) {
-        fields.problems().add(
-            Code::fixed_body, name->span,
-            "body " + in_quotes(name->value) + " is fixed; expected one that moves");
-        return std::nullopt;
-    }
+    if (!reading.moves(named->index, name->span)) { return std::nullopt; }
+    const Body& body = reading.body_at(named->index);
     ReadPoint out{named->index, std::nullopt};
     if (at) { out.point_local = rotation_of(body).transpose() * (at->value - body.r); }
     if (point) { out.point_local = point->value; }

@@ -36,7 +36,7 @@ void read_motion(Fields& root, Lesson& lesson) {
         plan.to = to->value;
         if (plan.to <= plan.from) {
             const int digits = writing::digits_apart(plan.to, plan.from, 6);
-            root.problems().add(
+            root.report(
                 Code::ends_before_start, to->span,
                 "the motion ends at " + short_number(plan.to, digits) + " s and starts at " +
                     short_number(plan.from, digits) + " s; expected 'to_s' above 'from_s'");
@@ -56,7 +56,7 @@ void read_camera(Fields& root, Lesson& lesson) {
     read_members(*fields, format::kCamera, camera);
     fields->finish();
     if (camera.from && camera.from->cross(camera.up.value_or(Vec3::UnitZ())).norm() < kAlongUp) {
-        root.problems().add(
+        root.report(
             Code::camera_along_up, fields->span("from"),
             "the camera looks along 'up'; expected another direction",
             camera.up ? "" : "'up' is z; give another one, for example up = [0, 1, 0]");

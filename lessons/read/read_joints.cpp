@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/lesson/things.hpp"
 #include "lessons/read/reading.hpp"
 
 namespace jw::reading {
@@ -44,13 +44,13 @@ void read_without(Fields& fields, Joint& joint) {
         if (found == all.end()) {
             std::vector<std::string> labels;
             for (const LabelledEquation& one : all) { labels.push_back(one.label); }
-            fields.problems().add(
+            fields.report(
                 Code::unknown_equation, name.span,
                 "a " + std::string(joint.type->name) + " joint has no equation " + in_quotes(name.value) +
                     "; expected one of " + comma_list(labels),
                 did_you_mean(name.value, labels));
         } else if (std::ranges::find(joint.without, found->equation) != joint.without.end()) {
-            fields.problems().add(
+            fields.report(
                 Code::named_twice, name.span,
                 in_quotes(name.value) + " is in 'without' twice; expected each equation once");
         } else {
@@ -123,7 +123,7 @@ PairIndices read_pair(Fields& fields, const Reading& reading) {
         return {};
     }
     const auto& bodies = reading.lesson.mechanism.bodies;
-    if (bodies[static_cast<std::size_t>(pair.i)].fixed && bodies[static_cast<std::size_t>(pair.j)].fixed) {
+    if (bodies[jw::at(pair.i)].fixed && bodies[jw::at(pair.j)].fixed) {
         problems.add(
             Code::fixed_body, names->span, "both bodies are fixed; expected at least one that moves");
     }
@@ -132,9 +132,7 @@ PairIndices read_pair(Fields& fields, const Reading& reading) {
 
 BodyPair pair_of(const Reading& reading, const PairIndices& indices) {
     const auto& bodies = reading.lesson.mechanism.bodies;
-    return {
-        &bodies[static_cast<std::size_t>(indices.i)], &bodies[static_cast<std::size_t>(indices.j)],
-        indices.sound};
+    return {&bodies[jw::at(indices.i)], &bodies[jw::at(indices.j)], indices.sound};
 }
 
 void read_joints(Fields& root, Reading& reading) {

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "core/quantity/names.hpp"
-#include "lessons/read/quantities.hpp"
 #include "lessons/read/reading.hpp"
 
 namespace jw::reading {
@@ -12,33 +11,34 @@ constexpr std::size_t kMostQuestions = 200;
 constexpr std::size_t kMostChoices = 8;
 constexpr std::size_t kMostActions = 20;
 
+void check_motion(const Reading& reading, const SourceSpan& span) {
+    if (reading.lesson.motion || reading.lesson.dynamics) { return; }
+    reading.report(
+        Code::no_motion, span, "the lesson has no motion; expected a table [motion] or [dynamics]");
+}
+
 bool read_place(Fields& fields, const Reading& reading, Question& question) {
     fields.require("at", "\"bodies\", \"motion\", or the joint or driver before which it is asked");
     const auto at = fields.text("at");
     if (!at) { return false; }
     if (at->value == "bodies" || at->value == "motion") {
         question.place = at->value == "bodies" ? Question::Place::bodies : Question::Place::motion;
-        if (question.place == Question::Place::motion && !reading.lesson.motion && !reading.lesson.dynamics) {
-            reading.problems->add(
-                Code::no_motion, at->span,
-                "the lesson has no motion; expected a table [motion] or [dynamics]");
-        }
+        if (question.place == Question::Place::motion) { check_motion(reading, at->span); }
         return true;
     }
     const Named* const named = reading.addition(*at);
     if (named == nullptr) { return false; }
-    question.addition = {
-        named->kind == Named::Kind::joint ? Addition::Kind::joint : Addition::Kind::driver, named->index};
+    question.addition = named->addition();
     return true;
 }
 
-std::optional<Answer> read_count(Fields& fields) {
+std::optional<Answer> read_count(Fields& fields, const Reading& /*reading*/) {
     const auto count = fields.word("count", kCounts);
     return count ? std::optional<Answer>(CountAnswer{*count}) : std::nullopt;
 }
 
 /// "hinge p1"
-std::optional<Answer> read_dropped(Fields& fields, const Reading& reading) {
+std::optional<Answer> read_dropped_answer(Fields& fields, const Reading& reading) {
     const auto text = fields.text("dropped");
     if (!text) { return std::nullopt; }
     const std::size_t blank = text->value.rfind(' ');
@@ -46,15 +46,15 @@ std::optional<Answer> read_dropped(Fields& fields, const Reading& reading) {
     const auto parallel = {Role::axes_parallel, Role::distance_parallel};
     const auto* const role = std::ranges::find_if(parallel, [&](Role r) { return word_of(r) == primitive; });
     if (role == parallel.end()) {
-        reading.problems->add(
+        reading.report(
             Code::unknown_equation, text->span,
             in_quotes(text->value) + " names no pair of equations; expected \"JOINT p1\" or \"JOINT p2\"");
         return std::nullopt;
     }
     const Named* const joint = reading.joint({text->value.substr(0, blank), text->span});
     if (joint == nullptr || !joint->sound) { return std::nullopt; }
-    if (!reading.lesson.mechanism.joints[static_cast<std::size_t>(joint->index)].type->uses(*role)) {
-        reading.problems->add(
+    if (!reading.joint_at(joint->index).type->uses(*role)) {
+        reading.report(
             Code::unknown_equation, text->span,
             "this joint has no " + primitive + "; expected a primitive that it is made of");
         return std::nullopt;
@@ -91,7 +91,7 @@ std::optional<Answer> read_choice(Fields& fields, const Reading& reading) {
     fields.require("answer", "the number of the right choice, from 1");
     const auto right = fields.integer("answer", 1, static_cast<int>(std::max<std::size_t>(1, count)));
     if (count < 2 || count > kMostChoices) {
-        reading.problems->add(
+        reading.report(
             Code::wrong_count, choices->span,
             std::to_string(count) + (count == 1 ? " choice" : " choices") + "; expected 2 to " +
                 std::to_string(kMostChoices));
@@ -115,7 +115,7 @@ std::vector<Thing> read_right_things(Fields& fields, const Reading& reading, Thi
             continue;
         }
         const std::string word = word_of(kThings, kind);
-        reading.problems->add(
+        reading.report(
             kind == Thing::Kind::row ? Code::unknown_equation : Code::unknown_name, name.span,
             "unknown " + word + " " + in_quotes(name.value) +
                 (possible.empty() ? "; there is none in this lesson"
@@ -123,7 +123,7 @@ std::vector<Thing> read_right_things(Fields& fields, const Reading& reading, Thi
             did_you_mean(name.value, possible));
     }
     if (names->value.empty()) {
-        reading.problems->add(Code::wrong_count, names->span, "no name; expected at least one that is right");
+        reading.report(Code::wrong_count, names->span, "no name; expected at least one that is right");
     }
     return things;
 }
@@ -163,21 +163,13 @@ std::optional<Answer> read_pose(Fields& fields, const Reading& reading) {
     if (fields.has("at_s")) {
         const auto t = fields.number("at_s");
         if (!t) { return std::nullopt; }
-        if (!reading.lesson.motion && !reading.lesson.dynamics) {
-            reading.problems->add(
-                Code::no_motion, t->span,
-                "the lesson has no motion; expected a table [motion] or [dynamics]");
-        }
+        check_motion(reading, t->span);
         answer.when = AtTime{t->value, !reading.lesson.motion && reading.lesson.dynamics.has_value()};
     }
     const Named* const body = reading.body(*name);
     if (body == nullptr || !tolerance || !turn) { return std::nullopt; }
     answer.body = body->index;
-    if (reading.lesson.mechanism.bodies[static_cast<std::size_t>(body->index)].fixed) {
-        reading.problems->add(
-            Code::fixed_body, name->span,
-            "body " + in_quotes(name->value) + " is fixed; expected one that moves");
-    }
+    reading.moves(body->index, name->span);
     answer.tolerance_m = tolerance->value;
     answer.tolerance_rad = in_rad ? turn->value : radians(turn->value);
     return answer;
@@ -196,16 +188,15 @@ void read_question(Fields& fields, Reading& reading) {
     const std::vector<std::string> kinds{"count", "dropped", "quantity", "choices", "click", "pose"};
     fields.at_most_one(kinds);
     if (std::ranges::none_of(kinds, [&](const std::string& key) { return fields.has(key); })) {
-        reading.problems->add(
+        reading.report(
             Code::missing_key, fields.span(),
             "the question has no answer; expected one of " + comma_list(kinds));
     }
-    std::optional<Answer> answer = read_count(fields);
-    if (!answer) { answer = read_dropped(fields, reading); }
-    if (!answer) { answer = read_quantity_answer(fields, reading); }
-    if (!answer) { answer = read_choice(fields, reading); }
-    if (!answer) { answer = read_pointed(fields, reading); }
-    if (!answer) { answer = read_pose(fields, reading); }
+    std::optional<Answer> answer;
+    for (auto* read :
+         {read_count, read_dropped_answer, read_quantity_answer, read_choice, read_pointed, read_pose}) {
+        if (!answer) { answer = read(fields, reading); }
+    }
     fields.finish();
     if (!placed || !answer) { return; }
     question.answer = std::move(*answer);
@@ -222,7 +213,7 @@ void read_trial(Fields& fields, Lesson& lesson) {
     fields.require("do", "a list of experiments in the form that --try takes");
     if (const auto actions = fields.texts("do")) {
         if (actions->value.empty() || actions->value.size() > kMostActions) {
-            fields.problems().add(
+            fields.report(
                 Code::wrong_count, actions->span,
                 "expected 1 to " + std::to_string(kMostActions) + " experiments");
         }

@@ -24,7 +24,7 @@ std::optional<Shape> read_box(Fields& fields) {
     if (const auto axes = read_frame(fields)) { box.axes = *axes; }
     fields.finish();
     if (box.size.minCoeff() < kSmallestSize) {
-        fields.problems().add(
+        fields.report(
             Code::out_of_range, fields.span("size"),
             "'size' has an edge of " + short_number(box.size.minCoeff()) +
                 "; expected three lengths above 0");
@@ -45,7 +45,7 @@ std::optional<Shape> read_bar(Fields& fields) {
     const bool is_sound = read_members(fields, format::kBar<Bar>, bar);
     fields.finish();
     if (is_sound && (bar.from - bar.to).norm() < kSmallestSize) {
-        fields.problems().add(
+        fields.report(
             Code::points_coincide, fields.span("to"), "'to' equals 'from'; expected two different points");
     }
     return bar;
@@ -63,7 +63,7 @@ std::optional<Shape> read_shape(Fields& fields) {
     const auto is_there = [&](const std::string& kind) { return fields.has(kind); };
     // an unknown key has been reported: it is probably the kind of shape, misspelt
     if (std::ranges::none_of(kShapeKinds, is_there) && fields.problems().errors_count() == errors) {
-        fields.problems().add(
+        fields.report(
             Code::missing_key, fields.span(),
             "the shape names no form; expected one of " + comma_list(kShapeKinds));
     }
@@ -95,8 +95,7 @@ std::optional<Mat3> read_frame(Fields& fields) {
     auto axes = fields.table("axes");
     if (!axes) { return std::nullopt; }
     const int errors = fields.problems().errors_count();
-    std::array<std::optional<Located<Vec3>>, 3> given{
-        axes->direction("x"), axes->direction("y"), axes->direction("z")};
+    std::array<IfGiven<Vec3>, 3> given{axes->direction("x"), axes->direction("y"), axes->direction("z")};
     axes->finish();
     if (fields.problems().errors_count() > errors) { return std::nullopt; }
 
@@ -106,7 +105,7 @@ std::optional<Mat3> read_frame(Fields& fields) {
     }
     const auto count = std::ranges::count_if(given, [](const auto& axis) { return axis.has_value(); });
     if (count < 2) {
-        fields.problems().add(
+        fields.report(
             Code::missing_key, axes->span(),
             "'axes' has fewer than two axes; expected two or three of x, y, z");
         return std::nullopt;
@@ -121,7 +120,7 @@ std::optional<Mat3> read_frame(Fields& fields) {
     const double yz = A.col(1).dot(A.col(2));
     const double zx = A.col(2).dot(A.col(0));
     if (std::max({std::abs(xy), std::abs(yz), std::abs(zx)}) > kOrthonormal) {
-        fields.problems().add(
+        fields.report(
             Code::not_perpendicular, axes->span(),
             "the axes are not perpendicular: x·y = " + short_number(xy, 4) +
                 ", y·z = " + short_number(yz, 4) + ", z·x = " + short_number(zx, 4) +
@@ -129,8 +128,7 @@ std::optional<Mat3> read_frame(Fields& fields) {
         return std::nullopt;
     }
     if (A.determinant() < 0.0) {
-        fields.problems().add(
-            Code::left_handed, axes->span(), "the axes are left-handed; expected x × y = z");
+        fields.report(Code::left_handed, axes->span(), "the axes are left-handed; expected x × y = z");
         return std::nullopt;
     }
     return made_exact(A);
@@ -149,9 +147,8 @@ std::optional<Colour> read_colour(Fields& fields) {
         t.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos) {
         return colour_of(static_cast<unsigned>(std::stoul(t.substr(1), nullptr, 16)));
     }
-    std::vector<std::string> names;
-    for (const NamedColour& colour : kNamedColours) { names.emplace_back(colour.name); }
-    fields.problems().add(
+    const std::vector<std::string> names = words_in<kNamedColours>();
+    fields.report(
         Code::unknown_word, text->span,
         "unknown colour " + in_quotes(t) + "; expected \"#rrggbb\" or one of " + comma_list(names),
         did_you_mean(t, names));

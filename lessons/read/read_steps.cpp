@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 
 #include "lessons/read/reading.hpp"
 #include "lessons/typed/exact_text.hpp"
@@ -9,13 +10,9 @@ namespace {
 
 constexpr std::size_t kMostTexts = 2000;
 
-Addition addition_of(const Named& named) {
-    return {named.kind == Named::Kind::joint ? Addition::Kind::joint : Addition::Kind::driver, named.index};
-}
-
 void set_text(Fields& fields, const Located<std::string>& at, const Text& words, Text& text) {
     if (!text.empty()) {
-        fields.problems().add(
+        fields.report(
             Code::named_twice, at.span,
             "the step " + in_quotes(at.value) + " has a text already; expected one for each step");
     }
@@ -30,7 +27,7 @@ Text* text_of(const Located<std::string>& at, Reading& reading) {
     const Named* named = reading.addition(at);
     if (named == nullptr) { return nullptr; }
     auto& list = named->kind == Named::Kind::joint ? texts.joints : texts.drivers;
-    return &list[static_cast<std::size_t>(named->index)];
+    return &list[jw::at(named->index)];
 }
 
 bool moves_at(const Lesson& lesson, double t) {
@@ -55,7 +52,7 @@ void read_step(Fields& fields, Reading& reading) {
     words.drop_line_feeds();
     if (at_s) {
         if (!moves_at(reading.lesson, at_s->value)) {
-            reading.problems->add(
+            reading.report(
                 Code::no_motion, at_s->span,
                 "there is no motion at " + writing::number_text(at_s->value) +
                     " s; expected a time between 'from_s' and 'to_s' of [motion]" +
@@ -77,23 +74,22 @@ void read_order(Fields& root, Reading& reading) {
     for (const auto& name : names->value) {
         const Named* named = reading.addition(name);
         if (named == nullptr) { continue; }
-        if (std::ranges::find(order, addition_of(*named)) != order.end()) {
-            root.problems().add(
+        if (std::ranges::find(order, named->addition()) != order.end()) {
+            root.report(
                 Code::named_twice, name.span,
                 in_quotes(name.value) + " is in 'order' twice; expected each name once");
             continue;
         }
-        order.push_back(addition_of(*named));
+        order.push_back(named->addition());
     }
     // a driver along a joint needs the joint's vectors
     for (std::size_t k = 0; k < order.size(); ++k) {
         if (order[k].kind != Addition::Kind::driver) { continue; }
-        const auto& driver = reading.lesson.mechanism.drivers[static_cast<std::size_t>(order[k].index)];
+        const auto& driver = reading.lesson.mechanism.drivers[jw::at(order[k].index)];
         const Addition joint{Addition::Kind::joint, driver.joint};
-        if (driver.joint >= 0 &&
-            std::find(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(k), joint) ==
-                order.begin() + static_cast<std::ptrdiff_t>(k)) {
-            root.problems().add(
+        const auto before = std::span(order).first(k);
+        if (driver.joint >= 0 && std::ranges::find(before, joint) == before.end()) {
+            root.report(
                 Code::driver_before_joint, names->span,
                 "'order' adds the driver " + in_quotes(driver.name) +
                     " before its joint; expected the joint first");

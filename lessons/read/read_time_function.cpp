@@ -23,16 +23,20 @@ struct ValueKeys {
     bool angle = false;
 
     std::string name(const std::string& key) const { return angle ? key + "_deg" : key; }
-    std::optional<Located<double>> number(Fields& fields, const std::string& key) const {
+    /// The name that stands in the table; the usual one if there is none.
+    std::string name_in(Fields& fields, const std::string& key) const {
+        return angle && fields.has(key + "_rad") ? key + "_rad" : name(key);
+    }
+    IfGiven<double> number(Fields& fields, const std::string& key) const {
         return angle ? fields.angle(key) : fields.number(key);
     }
     void require(Fields& fields, const std::string& key, const char* expected) const {
-        if (!angle || !fields.has(key + "_rad")) { fields.require(name(key), expected); }
+        fields.require(name_in(fields, key), expected);
     }
 };
 
 /// A list of values; for angles in radians.
-std::optional<Located<std::vector<double>>> read_values(
+IfGiven<std::vector<double>> read_values(
     Fields& fields, const ValueKeys& keys, const std::string& key, int most) {
     const auto count = static_cast<std::size_t>(most);
     if (!keys.angle) { return fields.numbers(key, 0, count); }
@@ -78,7 +82,7 @@ void read_step(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
     step.end = end->value;
     if (step.end - step.start < kShortestStep) {
         const int digits = writing::digits_apart(step.end, step.start, 6);
-        fields.problems().add(
+        fields.report(
             Code::ends_before_start, end->span,
             "the step ends at " + short_number(step.end, digits) + " s and starts at " +
                 short_number(step.start, digits) + " s; expected 'end_s' at least 1e-6 s after 'start_s'");
@@ -94,7 +98,7 @@ bool are_increasing(Fields& fields, const Located<std::vector<double>>& times) {
         const double t = times.value[k];
         if (t - before >= kShortestStep) { continue; }
         const int digits = writing::digits_apart(t, before, 6);
-        fields.problems().add(
+        fields.report(
             Code::table_times, times.span,
             "in 'times_s', " + short_number(t, digits) + " s follows " + short_number(before, digits) +
                 " s; expected each time at least 1e-6 s after the one before");
@@ -113,7 +117,7 @@ void read_table(Fields& fields, const ValueKeys& keys, TimeFunction& function) {
     fields.finish();
     if (!times || !values || !are_increasing(fields, *times)) { return; }
     if (times->value.size() < 2 || times->value.size() != values->value.size()) {
-        fields.problems().add(
+        fields.report(
             Code::wrong_count, values->span,
             "the table has " + std::to_string(times->value.size()) + " times and " +
                 std::to_string(values->value.size()) +
@@ -137,34 +141,28 @@ bool covers(Fields& fields, const TimeTable& table, double from, double to) {
     };
     const auto [begin, first_text] = both(from, first);
     const auto [end, last_text] = both(to, last);
-    fields.problems().add(
+    fields.report(
         Code::table_times, fields.span(),
         "the table of " + fields.what() + " has values from " + first_text + " to " + last_text +
             "; expected values from " + begin + " to " + end + ", the times of the motion");
     return false;
 }
 
-std::optional<TimeFormula> read_formula(Fields& fields, const std::string& key, double unit) {
+std::optional<TimeFormula> read_time_formula(Fields& fields, const ValueKeys& keys) {
+    if (keys.angle && !fields.at_most_one({"formula_deg", "formula_rad"})) { return std::nullopt; }
+    const std::string key = keys.name_in(fields, "formula");
     auto formula = read_scalar_formula(
         fields, key, formula::time_only(), "numbers and the time t, in s, as 0.2 \\sin(3 t)");
     if (!formula) { return std::nullopt; }
-    return TimeFormula{std::move(*formula), unit};
-}
-
-std::optional<TimeFormula> read_formula(Fields& fields, const ValueKeys& keys) {
-    if (!keys.angle) { return read_formula(fields, "formula", 1.0); }
-    if (!fields.at_most_one({"formula_deg", "formula_rad"})) { return std::nullopt; }
-    if (fields.has("formula_rad")) { return read_formula(fields, "formula_rad", 1.0); }
-    return read_formula(fields, "formula_deg", radians(1.0));
+    return TimeFormula{std::move(*formula), key == "formula_deg" ? radians(1.0) : 1.0};
 }
 
 /// Reports a formula without a value, a rate or an acceleration between two times.
 bool exists(Fields& fields, const TimeFormula& formula, const ValueKeys& keys, double from, double to) {
     const std::optional<double> gap = formula.gap_between(from, to);
     if (!gap) { return true; }
-    const std::string key = keys.angle && fields.has("formula_rad") ? "formula_rad" : keys.name("formula");
-    fields.problems().add(
-        Code::unreadable_formula, fields.span(key),
+    fields.report(
+        Code::unreadable_formula, fields.span(keys.name_in(fields, "formula")),
         "the formula of " + fields.what() +
             " has no value, rate or acceleration at t = " + short_number(*gap) +
             " s; expected a smooth formula from " + short_number(from) + " to " + short_number(to) + " s");
@@ -172,6 +170,28 @@ bool exists(Fields& fields, const TimeFormula& formula, const ValueKeys& keys, d
 }
 
 }  // namespace
+
+std::optional<ScalarFormula> read_formula(
+    Fields& fields, const std::string& key, const FormulaReader& read, const char* made_of) {
+    const auto source = fields.formula(key);
+    if (!source) { return std::nullopt; }
+    try {
+        return read(source->value);
+    } catch (const formula::NotEvaluated& failed) {
+        const auto& [at, message, hint] = failed.problem();
+        fields.report(
+            Code::unreadable_formula, fields.place_in(key, at), message,
+            hint.empty() || hint.starts_with("docs/") ? std::string("write it of ") + made_of : hint);
+    }
+    return std::nullopt;
+}
+
+std::optional<ScalarFormula> read_scalar_formula(
+    Fields& fields, const std::string& key, std::span<const formula::Variable> variables,
+    const char* made_of) {
+    const auto read = [&](const std::string& source) { return formula::scalar_formula(source, variables); };
+    return read_formula(fields, key, read, made_of);
+}
 
 TimeFunction read_time_function(Fields& fields, bool angle) {
     const ValueKeys keys{angle};
@@ -182,7 +202,7 @@ TimeFunction read_time_function(Fields& fields, bool angle) {
     }
     for (Fields& step : fields.tables("step", kMostParts)) { read_step(step, keys, function); }
     if (auto table = fields.table("table")) { read_table(*table, keys, function); }
-    function.formula = read_formula(fields, keys);
+    function.formula = read_time_formula(fields, keys);
     if (!has_time_function(fields, angle)) {
         fields.missing(
             keys.name("polynomial"), "a function of time: " + keys.name("polynomial") +
@@ -192,11 +212,10 @@ TimeFunction read_time_function(Fields& fields, bool angle) {
 }
 
 bool has_time_function(Fields& fields, bool angle) {
-    const bool polynomial =
-        angle ? fields.has("polynomial_deg") || fields.has("polynomial_rad") : fields.has("polynomial");
-    const bool formula =
-        angle ? fields.has("formula_deg") || fields.has("formula_rad") : fields.has("formula");
-    return polynomial || formula || fields.has("harmonics") || fields.has("step") || fields.has("table");
+    const ValueKeys keys{angle};
+    const auto has = [&](const char* key) { return fields.has(keys.name_in(fields, key)); };
+    return has("polynomial") || has("formula") || fields.has("harmonics") || fields.has("step") ||
+           fields.has("table");
 }
 
 void check_values(Fields& fields, const TimeFunction& function, double from, double to, bool never_negative) {
@@ -212,11 +231,11 @@ void check_values(Fields& fields, const TimeFunction& function, double from, dou
         const std::string place = fields.what() + " reaches " + short_number(value.f, digits) +
                                   " at t = " + short_number(t) + " s; expected ";
         if (!finite || std::abs(value.f) > kLargestNumber) {
-            fields.problems().add(Code::beyond_all_values, fields.span(), place + "at most 1e9 in magnitude");
+            fields.report(Code::beyond_all_values, fields.span(), place + "at most 1e9 in magnitude");
             return;
         }
         if (never_negative && value.f < 0.0) {
-            fields.problems().add(
+            fields.report(
                 Code::beyond_all_values, fields.span(), place + "a distance, which is never negative");
             return;
         }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lessons/fields/toml_text.hpp"
+#include "lessons/fields/fields.hpp"
 #include "lessons/files/course.hpp"
 #include "lessons/files/file_text.hpp"
 #include "lessons/read/reading.hpp"
@@ -22,7 +22,7 @@ bool read_format(Fields& root, const toml::table& table) {
     const auto format = root.integer("format", -1000000, 1000000);
     if (!format) { return true; }
     if (format->value != kFormat) {
-        root.problems().add(
+        root.report(
             Code::other_format, format->span,
             "this is format " + std::to_string(format->value) + "; expected format = 1",
             "a newer version of Jointwise may support it");
@@ -34,7 +34,7 @@ bool read_format(Fields& root, const toml::table& table) {
         return line > 0 && line < format->span.line;
     };
     if (std::ranges::any_of(table, [&](const auto& entry) { return is_before(entry.first); })) {
-        root.problems().add(
+        root.report(
             Code::format_not_first, format->span,
             "'format' stands after other keys; expected it as the first key");
     }
@@ -46,14 +46,11 @@ void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
     if (read.lesson.dynamics) { return; }
     const Mechanism& mechanism = read.lesson.mechanism;
     std::vector<bool> held(mechanism.bodies.size(), false);
-    for (const Joint& joint : mechanism.joints) {
-        held[static_cast<std::size_t>(joint.body_i)] = true;
-        held[static_cast<std::size_t>(joint.body_j)] = true;
-    }
-    for (const Driver& driver : mechanism.drivers) {
-        held[static_cast<std::size_t>(driver.body_i)] = true;
-        held[static_cast<std::size_t>(driver.body_j)] = true;
-    }
+    const auto hold = [&](const auto& links) {
+        for (const auto& link : links) { held[at(link.body_i)] = held[at(link.body_j)] = true; }
+    };
+    hold(mechanism.joints);
+    hold(mechanism.drivers);
     for (std::size_t b = 0; b < held.size(); ++b) {
         const Body& body = mechanism.bodies[b];
         const auto named = read.names.find(body.name);
@@ -66,14 +63,14 @@ void warn_of_loose_bodies(const reading::Reading& read, Problems& problems) {
 
 /// Reports the mistakes in the order of a course, or that the file is a course.
 ReadResult no_lesson_but_course(std::string source, const std::filesystem::path& path) {
-    const std::string file_name = path.string();
-    CourseRead course =
-        read_course(std::move(source), file_name, path.has_parent_path() ? path.parent_path() : ".");
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    CourseRead course = read_course(std::move(source), path.string(), folder);
     if (course.diagnostics.empty()) {
-        const std::string message = "this is the order of a course; expected a lesson (.toml)";
-        course.diagnostics.push_back({file_name, {}, Code::course_no_lesson, message, {}, Severity::error});
+        course.blame(
+            path.string(), Code::course_no_lesson,
+            "this is the order of a course; expected a lesson (.toml)");
     }
-    return {std::nullopt, std::move(course.diagnostics), std::move(course.source), {}};
+    return {{std::move(course.diagnostics), std::move(course.source), {}}, std::nullopt};
 }
 
 Lesson read_root(Fields& root, Problems& problems) {
@@ -125,28 +122,20 @@ std::string ReadResult::report() const {
 
 ReadResult read_lesson(std::string source, std::string file_name) {
     ReadResult result;
-    result.source = std::move(source);
-    Problems problems(file_name, result.source);
-    if (const auto table = reading::parse_toml(result.source, problems)) {
-        read_table(*table, file_name, problems, result);
-    }
-    result.diagnostics = problems.take();
-    result.texts = std::move(problems.texts());
+    read_toml(result, std::move(source), file_name, [&](const toml::table& table, Problems& problems) {
+        read_table(table, file_name, problems, result);
+    });
     return result;
 }
 
 ReadResult read_lesson_with_claims(std::string source, std::string file_name, const std::string& claims) {
     ReadResult result;
-    result.source = std::move(source);
-    Problems problems(file_name, result.source);
-    if (auto table = reading::parse_toml(result.source, problems)) {
-        for (const char* key : {"expect", "question", "try", "exercise"}) { table->erase(key); }
+    read_toml(result, std::move(source), file_name, [&](toml::table& table, Problems& problems) {
+        for (const char* key : {"expect", "question", "try", "exercise"}) { table.erase(key); }
         toml::table others = toml::parse(claims);
-        if (toml::node* const list = others.get("expect")) { table->insert("expect", std::move(*list)); }
-        read_table(*table, file_name, problems, result);
-    }
-    result.diagnostics = problems.take();
-    result.texts = std::move(problems.texts());
+        if (toml::node* const list = others.get("expect")) { table.insert("expect", std::move(*list)); }
+        read_table(table, file_name, problems, result);
+    });
     return result;
 }
 
@@ -154,9 +143,8 @@ ReadResult read_lesson_file(const std::filesystem::path& path) {
     FileText file = read_file_text(path, kLargestFile);
     if (!file.problem.empty()) {
         ReadResult result;
-        const std::string name = path.empty() ? "''" : path.string();
         const std::string message = file.problem + "; expected a lesson (.toml)";
-        result.diagnostics.push_back({name, {}, Code::file_unreadable, message, {}, Severity::error});
+        result.blame(path.empty() ? "''" : path.string(), Code::file_unreadable, message);
         return result;
     }
     if (path.filename() == kCourseFile) { return no_lesson_but_course(std::move(file.text), path); }

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/diagnostics/read_text.hpp"
 #include "lessons/lesson/lesson.hpp"
 
@@ -13,11 +12,8 @@ namespace jw {
 
 /// A lesson, or the mistakes in the file: with a lesson there are at most warnings; without one there is at
 /// least one error.
-struct ReadResult {
+struct ReadResult : FileRead {
     std::optional<Lesson> lesson;
-    std::vector<Diagnostic> diagnostics;  ///< by position
-    std::string source;                   ///< the file's text, for printing diagnostics
-    std::vector<ReadText> texts;          ///< all texts for people in it, in the order of reading
 
     /// The first 50 diagnostics in compiler style, and the number of the others.
     std::string report() const;

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/model/placement.hpp"
+#include "core/quantity/names.hpp"
 #include "lessons/fields/fields.hpp"
 #include "lessons/lesson/lesson.hpp"
 #include "lessons/typed/typed.hpp"
@@ -22,6 +23,10 @@ struct Named {
     int index = 0;
     SourceSpan span;    ///< of its name
     bool sound = true;  ///< false: its own table is wrong, so no conclusions are drawn from it
+
+    Addition addition() const {
+        return {kind == Kind::joint ? Addition::Kind::joint : Addition::Kind::driver, index};
+    }
 };
 
 /// Mass of a body, as far as it was given.
@@ -36,6 +41,16 @@ struct Reading {
     std::vector<ReadMass> masses;  ///< one per body
     Problems* problems = nullptr;
     std::map<std::string, Named, std::less<>> names;
+
+    const Body& body_at(int index) const { return lesson.mechanism.bodies[at(index)]; }
+    const Joint& joint_at(int index) const { return lesson.mechanism.joints[at(index)]; }
+
+    /// Reports a mistake.
+    void report(Code code, const SourceSpan& span, std::string message, std::string hint = {}) const {
+        problems->add(code, span, std::move(message), std::move(hint));
+    }
+    /// Reports a body that is fixed where one that moves is expected. @return false if it is fixed
+    bool moves(int body, const SourceSpan& span) const;
 
     /// Reads the key `name` and gives it to the entry `index` of its kind. Empty if there is none.
     std::string declare(Fields& fields, Named::Kind kind, int index);
@@ -73,16 +88,12 @@ void read_loads(Fields& root, Reading& reading);
 /// Order of additions and texts of steps; after joints and drivers.
 void read_order(Fields& root, Reading& reading);
 void read_steps(Fields& root, Reading& reading);
-/// The key `formula` of a claim and those that belong to it; nothing if there is none, or it is wrong.
-std::optional<FormulaClaim> read_formula_claim(Fields& fields, const Reading& reading);
 void read_questions(Fields& root, Reading& reading);
 /// Claims; after the order.
 void read_claims(Fields& root, Reading& reading);
 
 /// Key `shape`, one or several.
 std::vector<Shape> read_shapes(Fields& fields);
-/// Keys `mass`, `inertia`, `centre`.
-ReadMass read_mass(Fields& fields);
 /// Colour by palette name or "#rrggbb".
 std::optional<Colour> read_colour(Fields& fields);
 /// Key `axes`: columns are the axes of a frame, orthonormal and right-handed.
@@ -104,7 +115,17 @@ std::optional<ReadPoint> read_point_of_body(Fields& fields, const Reading& readi
 
 /// Rate of an angle [rad/s], in the unit of its key. @param read  reads a number: any, or a positive one
 std::optional<double> read_angular_rate(
-    Fields& fields, const std::string& key, std::optional<Located<double>> (Fields::*read)(std::string_view));
+    Fields& fields, const std::string& key, IfGiven<double> (Fields::*read)(std::string_view));
+
+/// Endings of keys such as "value" for a quantity, one for each way to write its unit: "_deg_per_s" and
+/// "_rad_per_s", or nothing.
+std::vector<std::string> unit_endings(const Quantity& quantity, int derivative);
+
+/// The point of "crank.point.x" and "crank.point.speed"; nullptr for other quantities.
+Vec3* point_of(Quantity& quantity);
+/// The quantity that `text` names; reads also the key `point` where the name does not give the point.
+std::optional<NamedQuantity> read_quantity(
+    Fields& fields, const Located<std::string>& text, const Reading& reading);
 
 /// Names of the joint types for which `has` holds.
 std::string types_with(bool (JointType::*has)() const);

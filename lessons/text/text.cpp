@@ -1,5 +1,8 @@
 #include "lessons/text/text.hpp"
 
+#include <algorithm>
+#include <vector>
+
 namespace jw {
 
 namespace {
@@ -32,5 +35,61 @@ void Text::drop_line_feeds() {
 bool same_in_all_languages(const Text& a, const Text& b) {
     return a.own() == b.own() && a.translations() == b.translations();
 }
+
+namespace {
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+std::vector<std::string> parts_of(std::string_view text) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == '-' || c == '_') {
+            parts.emplace_back();
+        } else {
+            parts.back() += lower(c);
+        }
+    }
+    return parts;
+}
+
+bool is_language(const std::string& p) {
+    return (p.size() == 2 || p.size() == 3) && std::ranges::all_of(p, is_letter);
+}
+bool is_script(const std::string& p) { return p.size() == 4 && std::ranges::all_of(p, is_letter); }
+bool is_region(const std::string& p) {
+    return (p.size() == 2 && std::ranges::all_of(p, is_letter)) ||
+           (p.size() == 3 && std::ranges::all_of(p, is_digit));
+}
+bool is_variant(const std::string& p) {
+    const bool plain = std::ranges::all_of(p, [](char c) { return is_letter(c) || is_digit(c); });
+    return plain && ((p.size() >= 5 && p.size() <= 8) || (p.size() == 4 && is_digit(p[0])));
+}
+
+}  // namespace
+
+std::string meant_language_tag(std::string_view text) {
+    std::vector<std::string> parts = parts_of(text);
+    if (!is_language(parts[0])) { return {}; }
+    std::size_t next = 1;
+    if (next < parts.size() && is_script(parts[next])) {
+        parts[next][0] = upper(parts[next][0]);
+        ++next;
+    }
+    if (next < parts.size() && is_region(parts[next])) {
+        std::ranges::transform(parts[next], parts[next].begin(), upper);
+        ++next;
+    }
+    if (!std::all_of(parts.begin() + static_cast<std::ptrdiff_t>(next), parts.end(), is_variant)) {
+        return {};
+    }
+    std::string tag;
+    for (const std::string& part : parts) { tag += (tag.empty() ? "" : "-") + part; }
+    return tag;
+}
+
+bool is_language_tag(std::string_view text) { return !text.empty() && meant_language_tag(text) == text; }
 
 }  // namespace jw

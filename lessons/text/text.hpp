@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-/// Texts for people in several languages.
+/// Texts for people in several languages, and language tags: BCP 47, as far as a text needs them.
 namespace jw {
 
 /// A text with its translations. As a string, it is the text that is shown: the one in the language of the
@@ -41,5 +41,17 @@ private:
 
 /// True if both are the same in every language, independent of the one that is shown.
 bool same_in_all_languages(const Text& a, const Text& b);
+
+/// True for a language of two or three letters with, at most, a script, a region and variants, each in the
+/// case that the standard recommends: "de", "pt-BR", "zh-Hant", "zh-Hant-TW", "de-CH-1996".
+/// @source RFC 5646, sections 2.1 and 2.1.1
+bool is_language_tag(std::string_view text);
+
+/// The tag that was probably meant: another case, or underscores between its parts; empty if there is none.
+std::string meant_language_tag(std::string_view text);
+
+/// Marks a text of a table as a message that is translated where it is shown
+/// (app/session/wording/messages.hpp).
+constexpr const char* tr_later(const char* english) { return english; }
 
 }  // namespace jw

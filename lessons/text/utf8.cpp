@@ -1,5 +1,7 @@
 #include "lessons/text/utf8.hpp"
 
+#include <algorithm>
+
 namespace jw {
 
 std::size_t character_length(std::string_view text) {
@@ -17,6 +19,18 @@ std::size_t character_length(std::string_view text) {
     const bool wrong = (first == 0xE0U && byte(1) < 0xA0U) || (first == 0xEDU && byte(1) > 0x9FU) ||
                        (first == 0xF0U && byte(1) < 0x90U) || (first == 0xF4U && byte(1) > 0x8FU);
     return wrong ? 0 : length;
+}
+
+std::string printable(std::string_view text) {
+    std::string out(text);
+    std::ranges::replace_if(
+        out, [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }, ' ');
+    // U+0080 to U+009F: some terminals take U+009B for the beginning of a command
+    for (std::size_t k = 0; k + 1 < out.size(); ++k) {
+        const bool control = out[k] == '\xc2' && static_cast<unsigned char>(out[k + 1]) < 0xA0U;
+        if (control) { out.replace(k, 2, "  "); }
+    }
+    return out;
 }
 
 }  // namespace jw

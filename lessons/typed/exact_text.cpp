@@ -70,6 +70,23 @@ std::string escaped(char c) {
     return text.data();
 }
 
+double degrees_turned(const Vec4& p) {
+    return 2.0 * elementary::atan2(p.tail<3>().norm(), p(0)) * 180.0 / std::numbers::pi;
+}
+
+/// True for text with backslashes, as in formulas, that can be written without doubling them.
+bool reads_better_literally(const std::string& text) {
+    const auto is_special = [](char c) { return is_control(c) && c != '\n' && c != '\t'; };
+    return text.find('\\') != std::string::npos && text.find("'''") == std::string::npos &&
+           !text.ends_with('\'') && std::ranges::none_of(text, is_special);
+}
+
+std::string literal_text(const std::string& text) {
+    const bool one_line = text.find('\n') == std::string::npos;
+    if (one_line && text.find('\'') == std::string::npos) { return '\'' + text + '\''; }
+    return (one_line ? "'''" : "'''\n") + text + "'''";
+}
+
 }  // namespace
 
 std::string number_text(double value) {
@@ -92,32 +109,9 @@ int digits_apart(double a, double b, int least) {
     return digits;
 }
 
-std::string list_text(std::span<const double> values) {
-    std::string text = "[";
-    for (const double value : values) { text += (text.size() > 1 ? ", " : "") + number_text(value); }
-    return text + ']';
-}
+std::string list_text(std::span<const double> values) { return list_text(values, number_text); }
 
 std::string vector_text(const Vec3& v) { return list_text({v.data(), 3}); }
-
-namespace {
-
-/// True for text with backslashes, as in formulas, that can be written without doubling them.
-bool reads_better_literally(const std::string& text) {
-    const auto is_special = [](char c) {
-        return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t') || c == '\x7f';
-    };
-    return text.find('\\') != std::string::npos && text.find("'''") == std::string::npos &&
-           !text.ends_with('\'') && std::ranges::none_of(text, is_special);
-}
-
-std::string literal_text(const std::string& text) {
-    const bool one_line = text.find('\n') == std::string::npos;
-    if (one_line && text.find('\'') == std::string::npos) { return '\'' + text + '\''; }
-    return (one_line ? "'''" : "'''\n") + text + "'''";
-}
-
-}  // namespace
 
 std::string string_text(const std::string& text) {
     if (reads_better_literally(text)) { return literal_text(text); }
@@ -180,7 +174,7 @@ Vec3 typed_direction(const Vec3& unit) {
 std::optional<TypedRotation> typed_rotation(const Vec4& p) {
     const Vec3 e = p.tail<3>();
     if (e.norm() == 0.0) { return std::nullopt; }
-    const double angle = 2.0 * elementary::atan2(e.norm(), p(0)) * 180.0 / std::numbers::pi;
+    const double angle = degrees_turned(p);
     for (const Vec3& axis : short_multiples(e)) {
         const auto degrees = typed_number(angle, kTypedDigits, [&](double typed) {
             return euler_parameters_of(axis, radians(typed)) == p;
@@ -192,10 +186,9 @@ std::optional<TypedRotation> typed_rotation(const Vec4& p) {
 
 std::string about_rotation(const Vec4& p) {
     const Vec3 e = p.tail<3>();
-    const double angle = 2.0 * elementary::atan2(e.norm(), p(0)) * 180.0 / std::numbers::pi;
     // + 0 turns -0 into 0
     const Vec3 axis = e.norm() > 0.0 ? Vec3(e.normalized() + Vec3::Zero()) : Vec3::UnitZ();
-    std::string text = "turned by " + short_number(angle, 4) + " deg about (";
+    std::string text = "turned by " + short_number(degrees_turned(p), 4) + " deg about (";
     for (const double x : axis) { text += (text.back() == '(' ? "" : ", ") + short_number(x, 3); }
     return text + ')';
 }

@@ -15,6 +15,13 @@ namespace jw::writing {
 std::string number_text(double value);
 /// Fewest digits, from `least` to 17, with which two different numbers are written differently.
 int digits_apart(double a, double b, int least);
+/// "[a, b]", each entry as `text_of` writes it.
+template <class List, class TextOf>
+std::string list_text(const List& entries, TextOf&& text_of) {
+    std::string text;
+    for (const auto& entry : entries) { text += (text.empty() ? "" : ", ") + text_of(entry); }
+    return '[' + text + ']';
+}
 /// "[0, 0.5, 1]"
 std::string list_text(std::span<const double> values);
 std::string vector_text(const Vec3& v);

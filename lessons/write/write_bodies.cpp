@@ -12,25 +12,6 @@ namespace jw::writing {
 
 namespace {
 
-/// Keys of an inline table: " size = [1, 1, 1], radius = 0.1 ".
-class Inline {
-public:
-    Inline& add(const std::string& name, const std::string& value) {
-        text_ += (text_.empty() ? "" : ", ") + name + " = " + value;
-        return *this;
-    }
-    Inline& add(const std::string& name, const Vec3& v) { return add(name, vector_text(v)); }
-    /// For write_members: there is no room for comments.
-    void key(const std::string& name, const std::string& value, const std::string& /*comment*/) {
-        add(name, value);
-    }
-    Inline& add(const std::string& name, double x) { return add(name, number_text(x)); }
-    std::string text() const { return "{ " + text_ + " }"; }
-
-private:
-    std::string text_;
-};
-
 std::string axes_text(const Mat3& axes) {
     return Inline()
         .add("x", Vec3(axes.col(0)))

@@ -4,6 +4,7 @@
 #include "core/numerics/variants.hpp"
 #include "core/quantity/names.hpp"
 #include "lessons/lesson/enum_words.hpp"
+#include "lessons/read/reading.hpp"
 #include "lessons/typed/typed.hpp"
 #include "lessons/write/writing.hpp"
 
@@ -53,22 +54,6 @@ void write_moment(const Moment& when, const Written& written, Lines& lines) {
         when);
 }
 
-/// Value and tolerance, both in degrees or neither.
-void write_value(const QuantityClaim& claim, Lines& lines) {
-    const UnitRate dimension = dimension_of(claim.quantity);
-    if (dimension.unit != Unit::radian) {
-        lines.key("value", claim.value);
-        lines.key("tolerance", claim.tolerance);
-        return;
-    }
-    const int order = claim.derivative + dimension.per_s;
-    const std::string per = order == 0 ? "" : order == 1 ? "_per_s" : "_per_s2";
-    const std::vector<double> both{claim.value, claim.tolerance};
-    const AngleTexts typed = claim.in_degrees ? typed_angles(both) : AngleTexts{"rad", both};
-    lines.key("value_" + typed.unit + per, typed.values[0]);
-    lines.key("tolerance_" + typed.unit + per, typed.values[1]);
-}
-
 struct FactWriter {
     const Written& written;
     Lines& lines;
@@ -81,24 +66,17 @@ struct FactWriter {
         lines.key(word_of(kVerdicts, c.verdict), c.value ? "true" : "false");
     }
     void operator()(const DroppedClaim& c) const {
-        const std::string primitive = c.role == Role::axes_parallel ? " p1 " : " p2 ";
-        const auto component = static_cast<std::size_t>(c.component);
-        lines.key(
-            "dropped", string_text(
-                           written.name_of({Addition::Kind::joint, c.joint}) + primitive +
-                           std::string(kCoordinates[component])));
+        const std::string joint = written.name_of({Addition::Kind::joint, c.joint});
+        const std::string component(kCoordinates[jw::at(c.component)]);
+        lines.key("dropped", string_text(joint + ' ' + std::string(word_of(c.role)) + ' ' + component));
     }
     void operator()(const QuantityClaim& c) const {
         lines.key("quantity", string_text(c.text));
         const int derivative = c.derivative - c.named_derivative;
         if (derivative != 0) { lines.key("derivative", std::to_string(derivative)); }
-        // a name that contains the point does not need the key
-        const bool is_open = c.text.find('[') == std::string::npos;
-        const auto* point = std::get_if<PointQuantity>(&c.quantity);
-        if (point != nullptr && is_open) { lines.key("point", point->s_local, "m"); }
-        const auto* speed = std::get_if<PointSpeedQuantity>(&c.quantity);
-        if (speed != nullptr && is_open) { lines.key("point", speed->s_local, "m"); }
-        write_value(c, lines);
+        write_point(c.quantity, c.text, lines);
+        write_values(
+            c.quantity, c.derivative, c.in_degrees, {{"value", c.value}, {"tolerance", c.tolerance}}, lines);
     }
     void operator()(const FormulaClaim& c) const {
         const formula::Subject& subject = c.formula.subject;
@@ -111,11 +89,7 @@ struct FactWriter {
             lines.key("coordinates", string_text(word_of(kChoices, subject.coordinates)));
         }
         lines.key("formula", string_text(c.formula.source));
-        std::string definitions;
-        for (const std::string& definition : c.formula.where) {
-            definitions += (definitions.empty() ? "" : ", ") + string_text(definition);
-        }
-        if (!definitions.empty()) { lines.key("where", "[" + definitions + "]"); }
+        if (!c.formula.where.empty()) { lines.key("where", list_text(c.formula.where, string_text)); }
         if (!c.holds) { lines.key("holds", "false"); }
     }
 };
@@ -142,6 +116,25 @@ void write_block(std::vector<const Claim*> block, const Written& written, Lines&
 }
 
 }  // namespace
+
+void write_point(const Quantity& quantity, const std::string& name, Lines& lines) {
+    Quantity copy = quantity;
+    // a name that contains the point does not need the key
+    const Vec3* const point = reading::point_of(copy);
+    if (point != nullptr && name.find('[') == std::string::npos) { lines.key("point", *point, "m"); }
+}
+
+void write_values(
+    const Quantity& quantity, int derivative, bool in_degrees, const std::vector<NamedValue>& values,
+    Lines& lines) {
+    const std::vector<std::string> endings = reading::unit_endings(quantity, derivative);
+    std::vector<double> numbers;
+    for (const NamedValue& value : values) { numbers.push_back(value.second); }
+    const bool degrees = in_degrees && endings.size() > 1;
+    const AngleTexts typed = degrees ? typed_angles(numbers) : AngleTexts{"rad", numbers};
+    const std::string& ending = typed.unit == "deg" ? endings.front() : endings.back();
+    for (std::size_t k = 0; k < values.size(); ++k) { lines.key(values[k].first + ending, typed.values[k]); }
+}
 
 void write_claims(const Written& written, Lines& lines) {
     std::vector<std::vector<const Claim*>> blocks;

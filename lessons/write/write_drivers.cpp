@@ -16,13 +16,6 @@ namespace {
 // digits of a frequency that somebody typed
 constexpr int kFrequencyDigits = 12;
 
-/// A value with its key, which contains the unit of an angle.
-std::string value_text(const std::string& name, double value, bool angle) {
-    if (!angle) { return name + " = " + number_text(value); }
-    const AngleTexts typed = typed_angles({&value, 1});
-    return name + '_' + typed.unit + " = " + number_text(typed.values[0]);
-}
-
 /// Polynomial with these coefficients: "30 deg + 90 deg/s t".
 std::string formula_of(std::span<const double> coefficients, const std::string& unit) {
     std::string text;
@@ -48,41 +41,43 @@ void write_polynomial(const std::vector<double>& polynomial, bool angle, Lines& 
 }
 
 std::string harmonic_text(const TimeFunction::Harmonic& harmonic, bool angle) {
-    std::string text = "{ " + value_text("amplitude", harmonic.amplitude, angle);
+    Inline keys;
+    keys.add("amplitude", harmonic.amplitude, angle);
     const auto reads_back = [&](double hertz) { return omega_of_frequency(hertz) == harmonic.omega; };
     const auto hertz = typed_number(harmonic.omega / (2.0 * std::numbers::pi), kFrequencyDigits, reads_back);
     // the author probably typed the shorter of the two
-    const std::string omega = number_text(harmonic.omega);
-    const bool in_hertz = hertz && number_text(*hertz).size() <= omega.size();
-    text += in_hertz ? ", frequency_hz = " + number_text(*hertz) : ", omega_rad_per_s = " + omega;
-    if (harmonic.phase != 0.0) { text += ", " + value_text("phase", harmonic.phase, true); }
-    return text + " }";
+    const bool in_hertz = hertz && number_text(*hertz).size() <= number_text(harmonic.omega).size();
+    keys.add(in_hertz ? "frequency_hz" : "omega_rad_per_s", in_hertz ? *hertz : harmonic.omega);
+    if (harmonic.phase != 0.0) { keys.add("phase", harmonic.phase, true); }
+    return keys.text();
 }
 
 std::string step_text(const TimeFunction::SmoothStep& step, bool angle) {
-    std::string text = "{ ";
-    if (step.from != 0.0) { text += value_text("from", step.from, angle) + ", "; }
-    text += value_text("to", step.to, angle);
-    if (step.start != 0.0) { text += ", start_s = " + number_text(step.start); }
-    return text + ", end_s = " + number_text(step.end) + " }";
+    Inline keys;
+    if (step.from != 0.0) { keys.add("from", step.from, angle); }
+    keys.add("to", step.to, angle);
+    if (step.start != 0.0) { keys.add("start_s", step.start); }
+    return keys.add("end_s", step.end).text();
 }
 
 std::string table_text(const TimeTable& table, bool angle) {
     const AngleTexts typed = angle ? typed_angles(table.values) : AngleTexts{"", table.values};
-    std::string text = "{ times_s = " + list_text(table.times) + ", values" +
-                       (angle ? "_" + typed.unit : "") + " = " + list_text(typed.values);
+    Inline keys;
+    keys.add("times_s", list_text(table.times));
+    keys.add(angle ? "values_" + typed.unit : "values", list_text(typed.values));
     if (table.interpolation != TimeTable::Interpolation::smooth) {
-        text += ", interpolation = " + string_text(word_of(kInterpolations, table.interpolation));
+        keys.add("interpolation", string_text(word_of(kInterpolations, table.interpolation)));
     }
-    return text + " }";
+    return keys.text();
 }
 
 /// Writes one table alone, several as a list.
-void write_parts(const std::string& name, const std::vector<std::string>& parts, Lines& lines) {
-    if (parts.empty()) { return; }
-    std::string text;
-    for (const std::string& part : parts) { text += (text.empty() ? "" : ", ") + part; }
-    lines.key(name, parts.size() == 1 ? text : '[' + text + ']');
+template <class Part>
+void write_parts(
+    const std::string& name, const std::vector<Part>& parts, std::string (*text_of)(const Part&, bool),
+    bool angle, Lines& lines) {
+    const auto text = [&](const Part& part) { return text_of(part, angle); };
+    if (!parts.empty()) { lines.key(name, parts.size() == 1 ? text(parts[0]) : list_text(parts, text)); }
 }
 
 [[noreturn]] void refuse(const Driver& driver) {
@@ -125,12 +120,8 @@ bool write_place(const Written& written, const Driver& driver, Lines& lines) {
 
 void write_time_function(const TimeFunction& function, bool angle, Lines& lines) {
     write_polynomial(function.polynomial, angle, lines);
-    std::vector<std::string> harmonics;
-    for (const auto& harmonic : function.harmonics) { harmonics.push_back(harmonic_text(harmonic, angle)); }
-    write_parts("harmonics", harmonics, lines);
-    std::vector<std::string> steps;
-    for (const auto& step : function.steps) { steps.push_back(step_text(step, angle)); }
-    write_parts("step", steps, lines);
+    write_parts("harmonics", function.harmonics, harmonic_text, angle, lines);
+    write_parts("step", function.steps, step_text, angle, lines);
     if (function.table) { lines.key("table", table_text(*function.table, angle)); }
     if (function.formula) {
         const TimeFormula& formula = *function.formula;
@@ -138,8 +129,8 @@ void write_time_function(const TimeFunction& function, bool angle, Lines& lines)
         lines.key("formula" + unit, string_text(formula.formula.source));
     }
     // a function without parts
-    if (function.polynomial.empty() && harmonics.empty() && steps.empty() && !function.table &&
-        !function.formula) {
+    if (function.polynomial.empty() && function.harmonics.empty() && function.steps.empty() &&
+        !function.table && !function.formula) {
         lines.key("harmonics", "[]", "0 at all times");
     }
 }

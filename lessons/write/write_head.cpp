@@ -15,11 +15,8 @@ void write_order(const Written& written, Lines& lines) {
     std::vector<Addition> as_in_file = written.order;
     std::ranges::sort(as_in_file, {}, [&](const Addition& a) { return std::pair(is_driver(a), a.index); });
     if (as_in_file == written.order) { return; }
-    std::string names;
-    for (const Addition& addition : written.order) {
-        names += (names.empty() ? "" : ", ") + string_text(written.name_of(addition));
-    }
-    lines.key("order", '[' + names + ']');
+    const auto name = [&](const Addition& addition) { return string_text(written.name_of(addition)); };
+    lines.key("order", list_text(written.order, name));
 }
 
 void write_step(const std::string& at, const Text& text, Lines& lines) {

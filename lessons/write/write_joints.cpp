@@ -3,7 +3,7 @@
 
 #include "core/model/placement.hpp"
 #include "lessons/lesson/enum_words.hpp"
-#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/lesson/things.hpp"
 #include "lessons/typed/typed.hpp"
 #include "lessons/write/writing.hpp"
 
@@ -55,29 +55,18 @@ void write_start_rates(const JointGeometry& g, Lines& lines) {
     if (g.displacement_dot_start) { lines.key("displacement_dot", *g.displacement_dot_start, "m/s"); }
 }
 
-std::string text_of(const Vec3& v) {
-    return '[' + number_text(v.x()) + ", " + number_text(v.y()) + ", " + number_text(v.z()) + ']';
-}
-
 void write_curve(const Curve& curve, Lines& lines) {
-    std::string parts;
-    const auto add = [&](const char* key, const std::string& value) {
-        parts += (parts.empty() ? "" : ", ") + std::string(key) + " = " + value;
+    Inline keys;
+    const auto add = [&](const char* key, Vec3 Curve::Harmonic::*part) {
+        keys.add(key, list_text(curve.harmonics, [&](const auto& h) { return vector_text(h.*part); }));
     };
-    const auto list = [&](Vec3 Curve::Harmonic::*part) {
-        std::string text;
-        for (const Curve::Harmonic& h : curve.harmonics) {
-            text += (text.empty() ? "" : ", ") + text_of(h.*part);
-        }
-        return '[' + text + ']';
-    };
-    add("constant", text_of(curve.constant));
-    if (!curve.is_closed()) { add("linear", text_of(curve.linear)); }
+    keys.add("constant", curve.constant);
+    if (!curve.is_closed()) { keys.add("linear", curve.linear); }
     if (!curve.harmonics.empty()) {
-        add("cos", list(&Curve::Harmonic::cos));
-        add("sin", list(&Curve::Harmonic::sin));
+        add("cos", &Curve::Harmonic::cos);
+        add("sin", &Curve::Harmonic::sin);
     }
-    lines.key("curve", "{ " + parts + " }", "m");
+    lines.key("curve", keys.text(), "m");
 }
 
 void write_wheels(const JointType& type, const JointGeometry& g, Lines& lines) {
@@ -86,7 +75,7 @@ void write_wheels(const JointType& type, const JointGeometry& g, Lines& lines) {
     } else if (type.uses(Role::rack_advance)) {
         lines.key("radius", g.alpha, "m");
     } else if (g.radii[0] > 0.0) {
-        lines.key("radii", '[' + number_text(g.radii[0]) + ", " + number_text(g.radii[1]) + ']', "m");
+        lines.key("radii", list_text(g.radii), "m");
     } else {
         lines.key("ratio", g.ratio);
     }

@@ -1,7 +1,6 @@
 #include "core/numerics/variants.hpp"
 #include "core/quantity/names.hpp"
 #include "lessons/lesson/enum_words.hpp"
-#include "lessons/read/quantities.hpp"
 #include "lessons/typed/typed.hpp"
 #include "lessons/write/writing.hpp"
 
@@ -22,16 +21,9 @@ struct AnswerWriter {
     }
     void operator()(const QuantityAnswer& a) const {
         lines.key("quantity", string_text(a.text));
-        const bool is_open = a.text.find('[') == std::string::npos;
-        const auto* const point = std::get_if<PointQuantity>(&a.quantity);
-        if (point != nullptr && is_open) { lines.key("point", point->s_local, "m"); }
-        const auto* const speed = std::get_if<PointSpeedQuantity>(&a.quantity);
-        if (speed != nullptr && is_open) { lines.key("point", speed->s_local, "m"); }
+        write_point(a.quantity, a.text, lines);
         lines.key("at_s", a.when.t);
-        const std::vector<std::string> endings = reading::unit_endings(a.quantity, a.derivative);
-        if (!a.in_degrees) { return lines.key("tolerance" + endings.back(), a.tolerance); }
-        const AngleTexts typed = typed_angles({&a.tolerance, 1});
-        lines.key("tolerance" + endings[typed.unit == "deg" ? 0 : 1], typed.values[0]);
+        write_values(a.quantity, a.derivative, a.in_degrees, {{"tolerance", a.tolerance}}, lines);
     }
     void operator()(const ChoiceAnswer& a) const {
         lines.texts("choices", a.choices);
@@ -40,16 +32,14 @@ struct AnswerWriter {
     void operator()(const PointedAnswer& a) const {
         lines.key("click", string_text(word_of(kThings, a.kind)));
         if (a.found) { return lines.key("rows", string_text(word_of(kRowsFound, *a.found))); }
-        std::vector<std::string> names;
-        for (const Thing& thing : a.right) { names.push_back(name_of(thing, written.lesson->mechanism)); }
-        lines.key("right", list_of_texts(names));
+        const auto name = [&](const Thing& t) { return string_text(name_of(t, written.lesson->mechanism)); };
+        lines.key("right", list_text(a.right, name));
     }
     void operator()(const PoseAnswer& a) const {
         lines.key("pose", string_text(written.body(a.body)));
         if (a.when) { lines.key("at_s", a.when->t); }
         lines.key("tolerance", a.tolerance_m);
-        const AngleTexts turn = typed_angles({&a.tolerance_rad, 1});
-        lines.key("tolerance_" + turn.unit, turn.values[0]);
+        lines.angle("tolerance", a.tolerance_rad);
     }
 };
 
@@ -78,7 +68,7 @@ void write_questions(const Written& written, Lines& lines) {
     for (const Trial& trial : lesson.trials) {
         lines.table("[[try]]");
         lines.text("text", trial.text);
-        lines.key("do", list_of_texts(trial.actions));
+        lines.key("do", list_text(trial.actions, string_text));
         if (trial.breaks) { lines.key("breaks", "true"); }
     }
 }

@@ -1,7 +1,11 @@
 #include "lessons/write/writer.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <map>
+#include <system_error>
+#include <utility>
 
 #include "lessons/write/writing.hpp"
 
@@ -64,13 +68,13 @@ void Lines::texts(const std::string& name, const std::vector<Text>& texts) {
         own.push_back(text.own());
         for (const auto& [tag, translated] : text.translations()) { lists[tag]; }
     }
-    key(name, list_of_texts(own));
+    key(name, list_text(own, string_text));
     for (auto& [tag, list] : lists) {
         for (const Text& text : texts) {
             const auto found = text.translations().find(tag);
             list.push_back(found != text.translations().end() ? found->second : text.own());
         }
-        key(tag + '.' + name, list_of_texts(list));
+        key(tag + '.' + name, list_text(list, string_text));
     }
 }
 
@@ -110,21 +114,56 @@ const std::string& Written::name_of(const Addition& addition) const {
                                                   : lesson->mechanism.drivers[index].name;
 }
 
-const std::string& Written::body(int index) const {
-    return lesson->mechanism.bodies[static_cast<std::size_t>(index)].name;
-}
-
-std::string list_of_texts(const std::vector<std::string>& texts) {
-    std::string list;
-    for (const std::string& text : texts) { list += (list.empty() ? "" : ", ") + string_text(text); }
-    return "[" + list + "]";
-}
+const std::string& Written::body(int index) const { return lesson->mechanism.bodies[jw::at(index)].name; }
 
 std::string Written::pair(int body_i, int body_j) const {
     return '[' + string_text(body(body_i)) + ", " + string_text(body(body_j)) + ']';
 }
 
 }  // namespace writing
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// number of drafts that killed programs may have left behind; more are not an accident
+constexpr int kMostDrafts = 100;
+
+/// Opens a new file beside `target`. @param name  becomes its path
+std::FILE* open_draft(const fs::path& target, std::string& name) {
+    std::FILE* file = nullptr;
+    errno = EEXIST;
+    for (int k = 1; file == nullptr && errno == EEXIST && k <= kMostDrafts; ++k) {
+        name = target.string() + ".part-" + std::to_string(k);
+        // "x": always a new file, and never through a link that somebody left there
+        file = std::fopen(name.c_str(), "wbx");
+    }
+    return file;
+}
+
+/// Writes the text to a file under another name, which is then renamed. @return why not, if it fails
+std::string problem_of_writing(const std::string& text, const fs::path& target) {
+    std::string draft;
+    std::FILE* const file = open_draft(target, draft);
+    if (file == nullptr) { return std::generic_category().message(errno); }
+    bool good = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+    int error = errno;
+    const auto check = [&](int failed) {
+        if (failed != 0 && std::exchange(good, false)) { error = errno; }
+    };
+    // a full disk may be reported only here
+    check(std::fclose(file));
+    std::error_code ignored;
+    // the permissions of the lesson stay unchanged
+    const fs::file_status before = fs::status(target, ignored);
+    if (fs::exists(before)) { fs::permissions(draft, before.permissions(), ignored); }
+    if (good) { check(std::rename(draft.c_str(), target.c_str())); }
+    if (good) { return {}; }
+    std::remove(draft.c_str());
+    return std::generic_category().message(error);
+}
+
+}  // namespace
 
 std::string lesson_text(const Lesson& lesson) {
     const writing::Written written(lesson);
@@ -141,6 +180,25 @@ std::string lesson_text(const Lesson& lesson) {
     writing::write_questions(written, lines);
     writing::write_claims(written, lines);
     return lines.take();
+}
+
+bool write_lesson_file(const fs::path& path, const std::string& text, std::string& error) {
+    const auto fail = [&](const std::string& why, const std::string& expected) {
+        error = "cannot write '" + path.string() + "': " + why + "; expected " + expected;
+        return false;
+    };
+    std::error_code ignored;
+    if (path.filename().empty() || fs::is_directory(path, ignored)) {
+        return fail("this is a folder", "the name of a lesson file (.toml)");
+    }
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, ignored)) {
+        return fail("there is no folder '" + folder.string() + "'", "a folder that is there");
+    }
+    // through links, so that a lesson kept elsewhere stays there
+    const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+    const std::string why = problem_of_writing(text, target);
+    return why.empty() || fail(why, "a folder with room in which files may be written");
 }
 
 }  // namespace jw

@@ -41,6 +41,30 @@ private:
     std::string text_;
 };
 
+/// Keys of an inline table: "{ size = [1, 1, 1], radius = 0.1 }".
+class Inline {
+public:
+    Inline& add(const std::string& name, const std::string& value) {
+        text_ += (text_.empty() ? "" : ", ") + name + " = " + value;
+        return *this;
+    }
+    Inline& add(const std::string& name, const Vec3& v) { return add(name, vector_text(v)); }
+    Inline& add(const std::string& name, double x) { return add(name, number_text(x)); }
+    /// An angle or, if `angle` is false, any other value.
+    Inline& add(const std::string& name, double x, bool angle) {
+        const AngleTexts typed = angle ? typed_angles({&x, 1}) : AngleTexts{"", {x}};
+        return add(angle ? name + '_' + typed.unit : name, typed.values[0]);
+    }
+    /// For write_members: there is no room for comments.
+    void key(const std::string& name, const std::string& value, const std::string& /*comment*/) {
+        add(name, value);
+    }
+    std::string text() const { return "{ " + text_ + " }"; }
+
+private:
+    std::string text_;
+};
+
 /// Parts of a lesson that are written.
 struct Written {
     explicit Written(const Lesson& whole);
@@ -71,8 +95,13 @@ void write_claims(const Written& written, Lines& lines);
 void write_time_function(const TimeFunction& function, bool angle, Lines& lines);
 /// Keys `mass`, `centre`, `inertia`.
 void write_mass(const MassProperties& mass, Lines& lines);
-/// "["a", "b"]"
-std::string list_of_texts(const std::vector<std::string>& texts);
+/// Key `point` of a quantity whose name leaves the point open.
+void write_point(const Quantity& quantity, const std::string& name, Lines& lines);
+/// Values of a quantity, all in degrees or none; the names of angles and of their rates end with the unit.
+using NamedValue = std::pair<const char*, double>;
+void write_values(
+    const Quantity& quantity, int derivative, bool in_degrees, const std::vector<NamedValue>& values,
+    Lines& lines);
 /// Key `shape`.
 void write_shapes(const std::vector<Shape>& shapes, Lines& lines);
 /// "blue" or "#2f78b7".

@@ -12,12 +12,12 @@ namespace jw::test {
 
 TEST_CASE("explain shows the page about a code however it is typed", "[app][explain]") {
     for (const Explanation& page : explanations()) {
-        const std::string code(entry_of(page.code).printed);
+        const std::string code = to_string(page.code);
         CAPTURE(code);
         const Ran ran = run({"explain", code});
         CHECK(ran.status == 0);
         CHECK(ran.err.empty());
-        CHECK_THAT(ran.out, Catch::StartsWith(code + ": " + std::string(entry_of(page.code).title)));
+        CHECK_THAT(ran.out, Catch::StartsWith(code + ": " + title_of(page.code)));
         // the example is answered with the message that the page is about
         const bool is_answered = page.setting != Explanation::Setting::path;
         CHECK((ran.out.find('[' + code + ']') != std::string::npos) == is_answered);
@@ -32,8 +32,7 @@ TEST_CASE("explain lists every code that has a page", "[app][explain]") {
     const nlohmann::json json = nlohmann::json::parse(run({"explain", "--format", "json"}).out);
     CHECK(json["codes"].size() == explanations().size());
     for (const Explanation& page : explanations()) {
-        const CodeEntry& entry = entry_of(page.code);
-        const std::string line = std::string(entry.printed) + "  " + std::string(entry.title) + '\n';
+        const std::string line = to_string(page.code) + "  " + title_of(page.code) + '\n';
         CHECK_THAT(all.out, Catch::Contains(line));
     }
 }

@@ -1,4 +1,3 @@
-#include "lessons/files/data_folder.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/model/placement.hpp"
-#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/lesson/things.hpp"
 #include "tests/lessons/support.hpp"
 #include "tests/support/formula_value.hpp"
 #include "tests/support/vector_formulas.hpp"

@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
+#include "lessons/diagnostics/read_text.hpp"
 #include "lessons/files/search.hpp"
 #include "lessons/lesson/in_language.hpp"
-#include "lessons/lesson/translations.hpp"
-#include "lessons/text/language_tag.hpp"
+#include "lessons/text/text.hpp"
 #include "lessons/write/writer.hpp"
 #include "tests/lessons/lesson_difference.hpp"
 #include "tests/lessons/random_lessons.hpp"
@@ -95,10 +95,8 @@ text = "words"
 void check_says(const std::string& rest, Code code, const std::string& message) {
     CAPTURE(rest);
     std::string all;
-    for (const Diagnostic& d : diagnostics_of(rest)) {
-        all += std::string(entry_of(d.code).printed) + ' ' + d.message + '\n';
-    }
-    CHECK_THAT(all, Catch::Contains(std::string(entry_of(code).printed) + ' ' + message));
+    for (const Diagnostic& d : diagnostics_of(rest)) { all += to_string(d.code) + ' ' + d.message + '\n'; }
+    CHECK_THAT(all, Catch::Contains(to_string(code) + ' ' + message));
 }
 
 }  // namespace

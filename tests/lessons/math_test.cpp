@@ -92,7 +92,7 @@ std::string random_source(std::mt19937& random) {
         "\\left(",
         "\\right)",
         "\xce"};
-    for (const Symbol& s : symbols()) { pieces.emplace_back(s.command); }
+    for (const Symbol& s : kSymbols) { pieces.emplace_back(s.command); }
     std::string source;
     std::uniform_int_distribution<std::size_t> pick(0, pieces.size() - 1);
     for (int k = 0; k < 12; ++k) { source += pieces[pick(random)] + (k % 3 == 0 ? " " : ""); }
@@ -210,15 +210,15 @@ TEST_CASE("docs/mathematics.md lists every command, and nothing else", "[lessons
     const auto add = [&](const auto& table) {
         for (const auto& entry : table) { known.emplace_back(entry.command); }
     };
-    add(symbols());
-    add(accents());
-    add(spaces());
-    add(alphabets());
+    add(kSymbols);
+    add(kAccents);
+    add(kSpaces);
+    add(kAlphabets);
     for (const std::string& command : known) {
         CAPTURE(command);
         if (command.front() == '\\') { CHECK_THAT(text, Catch::Contains("`" + command)); }
     }
-    for (const Environment& e : environments()) {
+    for (const Environment& e : kEnvironments) {
         CHECK_THAT(text, Catch::Contains("`" + std::string(e.name) + "`"));
     }
     for (std::size_t at = text.find("`\\"); at != std::string::npos; at = text.find("`\\", at + 1)) {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/model/placement.hpp"
-#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/lesson/things.hpp"
 #include "lessons/typed/typed.hpp"
 #include "tests/support/random_mechanisms.hpp"
 

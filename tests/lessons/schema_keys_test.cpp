@@ -10,7 +10,6 @@
 #include "lessons/files/catalogue.hpp"
 #include "lessons/format/exercise_keys.hpp"
 #include "lessons/format/key.hpp"
-#include "lessons/format/other_names.hpp"
 #include "lessons/write/writer.hpp"
 #include "tests/lessons/random_lessons.hpp"
 #include "tests/lessons/support.hpp"

@@ -20,7 +20,7 @@ bool draws_goldens() { return std::getenv("JW_REGENERATE_GOLDEN") != nullptr; }
 
 std::string broken_rule_of(const render::Image& then, const render::Image& now) {
     const SnapshotRulesRead read = read_snapshot_rules(kRoot + "tests/golden/lessons/rules.toml");
-    INFO(read.report);
+    INFO(read.report());
     REQUIRE(read.rules);
     return snapshot::compare_colours(then, now, read.rules->colour).broken;
 }

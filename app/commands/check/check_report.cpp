@@ -37,7 +37,7 @@ Json json_of(const ClaimResult& claim) {
 
 Json json_of(const Diagnostic& diagnostic) {
     return {
-        {"code", std::string(entry_of(diagnostic.code).printed)},
+        {"code", to_string(diagnostic.code)},
         {"severity", diagnostic.severity == Severity::error ? "error" : "warning"},
         {"line", diagnostic.span.line},
         {"column", diagnostic.span.column},
@@ -82,7 +82,7 @@ void add_claim(const ClaimResult& claim, const std::string& file, JunitSuite& su
 /// The code of the first mistake in the file, or of another reason why it cannot be checked.
 std::string type_of_error(const CheckedLesson& lesson) {
     const auto first = std::ranges::find(lesson.diagnostics, Severity::error, &Diagnostic::severity);
-    return first != lesson.diagnostics.end() ? std::string(entry_of(first->code).printed) : "input";
+    return first != lesson.diagnostics.end() ? to_string(first->code) : "input";
 }
 
 JunitSuite suite_of(const CheckedLesson& lesson, const CheckStyle& style) {

@@ -5,7 +5,7 @@
 
 #include "app/panels/parts/characters.hpp"
 #include "app/session/wording/character_classes.hpp"
-#include "lessons/lesson/translations.hpp"
+#include "lessons/diagnostics/read_text.hpp"
 #include "render/fonts/fonts.hpp"
 
 namespace jw {

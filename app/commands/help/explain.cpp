@@ -23,9 +23,6 @@ constexpr const char* kIntroduction =
     "the\n"
     "page about a code, `jointwise explain` all codes. A test reads every example below.\n";
 
-std::string printed(Code code) { return std::string(entry_of(code).printed); }
-std::string title_of(Code code) { return std::string(entry_of(code).title); }
-
 const char* words_for(Setting setting) {
     switch (setting) {
         case Setting::whole: return "the whole file";
@@ -46,7 +43,7 @@ std::vector<std::string> messages_of(const Explanation& page) {
         if (diagnostic.code != page.code) { continue; }
         messages.push_back(
             (diagnostic.severity == Severity::error ? "error: " : "warning: ") + diagnostic.message + " [" +
-            printed(page.code) + "]");
+            to_string(page.code) + "]");
         if (!diagnostic.hint.empty()) { messages.push_back("hint: " + diagnostic.hint); }
     }
     return messages;
@@ -71,7 +68,7 @@ void write_markdown_page(const Explanation& page, std::ostream& out) {
     std::string says;
     for (const std::string& line : messages_of(page)) { says += line + '\n'; }
     const char* const language = page.setting == Setting::path ? "" : "toml";
-    out << "\n### " << printed(page.code) << ": " << title_of(page.code) << "\n\n"
+    out << "\n### " << to_string(page.code) << ": " << title_of(page.code) << "\n\n"
         << "**Cause.** " << page.cause << "\n**Cure.** " << page.cure << "\nWrong ("
         << words_for(page.setting) << "):\n\n"
         << fenced(example_or_nothing(page.wrong), page.wrong.empty() ? "" : language);
@@ -81,7 +78,7 @@ void write_markdown_page(const Explanation& page, std::ostream& out) {
 
 Json json_of_page(const Explanation& page) {
     return {
-        {"code", printed(page.code)},
+        {"code", to_string(page.code)},
         {"title", title_of(page.code)},
         {"group", std::string(group_of(page.code))},
         {"cause", page.cause},
@@ -100,13 +97,13 @@ void write_list(std::ostream& out) {
             out << (group.empty() ? "" : "\n") << group_of(page.code) << '\n';
         }
         group = group_of(page.code);
-        out << "  " << printed(page.code) << "  " << title_of(page.code) << '\n';
+        out << "  " << to_string(page.code) << "  " << title_of(page.code) << '\n';
     }
 }
 
 /// The page about a code, for a terminal.
 void write_page(const Explanation& page, std::ostream& out) {
-    out << printed(page.code) << ": " << title_of(page.code) << "\n\n"
+    out << to_string(page.code) << ": " << title_of(page.code) << "\n\n"
         << "Cause:\n"
         << indented(page.cause) << "\nCure:\n"
         << indented(page.cure) << "\nWrong (" << words_for(page.setting) << "):\n"
@@ -144,7 +141,7 @@ struct ExplainOptions {
 
 CommandError no_code(const std::string& typed) {
     std::vector<std::string> codes;
-    for (const Explanation& page : explanations()) { codes.emplace_back(entry_of(page.code).printed); }
+    for (const Explanation& page : explanations()) { codes.push_back(to_string(page.code)); }
     std::string meant = typed;
     std::ranges::transform(meant, meant.begin(), [](char c) { return c == 'j' ? 'J' : c == 'w' ? 'W' : c; });
     if (!meant.starts_with("JW")) { meant = "JW" + meant; }
@@ -159,10 +156,7 @@ std::vector<Explanation> wanted(const std::string& typed) {
     const auto code = read_code(typed);
     const Explanation* page = code ? explanation_of(*code) : nullptr;
     if (page == nullptr && code) {
-        const CodeEntry& entry = entry_of(*code);
-        throw bad_input(
-            "there is no page about " + std::string(entry.printed) + " (" + std::string(entry.title) +
-            ") yet");
+        throw bad_input("there is no page about " + to_string(*code) + " (" + title_of(*code) + ") yet");
     }
     if (page == nullptr) { throw no_code(typed); }
     return {*page};

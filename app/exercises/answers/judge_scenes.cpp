@@ -9,7 +9,7 @@
 #include "lessons/exercise/scene_difference.hpp"
 #include "lessons/exercise/scene_edits.hpp"
 #include "lessons/read/reader.hpp"
-#include "lessons/text/translatable.hpp"
+#include "lessons/text/text.hpp"
 #include "lessons/write/writer.hpp"
 
 namespace jw {

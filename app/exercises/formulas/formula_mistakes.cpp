@@ -3,7 +3,7 @@
 
 #include "app/exercises/formulas/alterations.hpp"
 #include "app/exercises/formulas/mistakes.hpp"
-#include "lessons/text/translatable.hpp"
+#include "lessons/text/text.hpp"
 
 namespace jw {
 

@@ -5,7 +5,7 @@
 
 #include "lessons/formula/evaluate_formula.hpp"
 #include "lessons/math/write_math.hpp"
-#include "lessons/text/translatable.hpp"
+#include "lessons/text/text.hpp"
 
 namespace jw {
 

@@ -7,7 +7,7 @@
 
 #include "app/exercises/formulas/alter.hpp"
 #include "lessons/lesson/claims.hpp"
-#include "lessons/text/translatable.hpp"
+#include "lessons/text/text.hpp"
 
 /// Mistakes that students make, each as a function of the right formula.
 namespace jw {

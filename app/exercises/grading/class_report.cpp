@@ -8,7 +8,7 @@
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/shown_lesson.hpp"
 #include "lessons/exercise/exercise_index.hpp"
-#include "lessons/text/translatable.hpp"
+#include "lessons/text/text.hpp"
 
 namespace jw {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "app/session/wording/messages.hpp"
-#include "lessons/text/translatable.hpp"
+#include "lessons/text/text.hpp"
 
 namespace jw {
 

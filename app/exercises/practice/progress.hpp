@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "lessons/exercise/progress_file.hpp"
+#include "lessons/exercise/handed_in.hpp"
 
 /// What a student has solved, kept between runs of the program.
 namespace jw {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/exercises/kinds.hpp"
-#include "lessons/exercise/progress_file.hpp"
+#include "lessons/exercise/handed_in.hpp"
 
 /// Sentences about an exercise in its tab, drawn or as text.
 namespace jw::host {

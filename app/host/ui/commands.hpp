@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/host/ui/input.hpp"
-#include "lessons/text/translatable.hpp"
+#include "lessons/text/text.hpp"
 
 /// Commands of keys, buttons and menus. They are in one table, so that the menu, the list of keys and the
 /// effect of a key agree.

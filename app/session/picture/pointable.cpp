@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/lesson/things.hpp"
 
 namespace jw {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/session/answers/right_answer.hpp"
-#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/lesson/things.hpp"
 
 namespace jw {
 

@@ -6,7 +6,7 @@
 #include "app/session/wording/labels.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/lesson/enum_words.hpp"
-#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/lesson/things.hpp"
 #include "lessons/typed/exact_text.hpp"
 #include "lessons/typed/typed.hpp"
 

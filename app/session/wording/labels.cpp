@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/numerics/variants.hpp"
-#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/lesson/things.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/write_math.hpp"
 

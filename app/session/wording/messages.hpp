@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/session/wording/message_catalogue.hpp"
-#include "lessons/text/translatable.hpp"
+#include "lessons/text/text.hpp"
 
 /// The program's own sentences in the language of the reader.
 ///

@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "app/session/wording/messages.hpp"
-#include "lessons/exercise/for_each_text.hpp"
 #include "lessons/lesson/in_language.hpp"
 
 namespace jw {

@@ -1,6 +1,6 @@
 #include "tests/app/session/all_experiments.hpp"
 
-#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/lesson/things.hpp"
 
 namespace jw::test {
 

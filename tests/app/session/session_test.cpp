@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/session/output/describe.hpp"
-#include "lessons/lesson/equation_labels.hpp"
+#include "lessons/lesson/things.hpp"
 #include "lessons/write/writer.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 
