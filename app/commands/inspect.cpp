@@ -7,7 +7,7 @@
 #include "app/commands/options/format_option.hpp"
 #include "app/commands/program/commands.hpp"
 #include "app/commands/program/outputs.hpp"
-#include "app/session/output/describe_inspection.hpp"
+#include "app/session/output/describe.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/labels.hpp"
 #include "lessons/lesson/enum_words.hpp"

@@ -7,8 +7,8 @@
 
 #include "app/exercises/answers/units.hpp"
 #include "app/exercises/formulas/mistakes.hpp"
+#include "app/session/claims/checks.hpp"
 #include "app/session/claims/claim_poses.hpp"
-#include "app/session/claims/formula_claims.hpp"
 #include "app/session/story/story.hpp"
 #include "app/session/try/carry_out.hpp"
 #include "app/session/wording/numbers.hpp"

@@ -43,7 +43,7 @@ public:
              {"type", type}});
         return static_cast<int>(accessors_.size()) - 1;
     }
-    Json& accessor(int index) { return accessors_[static_cast<std::size_t>(index)]; }
+    Json& accessor(int index) { return accessors_[at(index)]; }
 
     Json views_ = Json::array();
     Json accessors_ = Json::array();
@@ -51,28 +51,18 @@ public:
 };
 
 /// Adds the smallest and largest value of each component, which glTF requires for positions and times.
-template <class T>
-void add_bounds(const std::vector<T>& values, Json& accessor) {
-    T least = values.front();
-    T most = values.front();
-    for (const T& value : values) {
-        if constexpr (std::is_same_v<T, float>) {
-            least = std::min(least, value);
-            most = std::max(most, value);
-        } else {
-            for (std::size_t k = 0; k < value.size(); ++k) {
-                least[k] = std::min(least[k], value[k]);
-                most[k] = std::max(most[k], value[k]);
-            }
+template <std::size_t N>
+void add_bounds(const std::vector<std::array<float, N>>& values, Json& accessor) {
+    std::array<float, N> least = values.front();
+    std::array<float, N> most = values.front();
+    for (const std::array<float, N>& value : values) {
+        for (std::size_t k = 0; k < N; ++k) {
+            least[k] = std::min(least[k], value[k]);
+            most[k] = std::max(most[k], value[k]);
         }
     }
-    if constexpr (std::is_same_v<T, float>) {
-        accessor["min"] = Json::array({least});
-        accessor["max"] = Json::array({most});
-    } else {
-        accessor["min"] = least;
-        accessor["max"] = most;
-    }
+    accessor["min"] = least;
+    accessor["max"] = most;
 }
 
 /// Linear value of an sRGB component: materials need linear colours. @source IEC 61966-2-1
@@ -143,8 +133,10 @@ std::vector<std::array<float, 4>> rotations_of(const std::vector<Pose>& motion) 
 }
 
 Json animation_of(const Scene& scene, Buffer& buffer) {
-    const int times = buffer.add(scene.times, kFloat, "SCALAR", 0);
-    add_bounds(scene.times, buffer.accessor(times));
+    std::vector<std::array<float, 1>> seconds;
+    for (const float t : scene.times) { seconds.push_back({t}); }
+    const int times = buffer.add(seconds, kFloat, "SCALAR", 0);
+    add_bounds(seconds, buffer.accessor(times));
     Json samplers = Json::array();
     Json channels = Json::array();
     const auto add = [&](std::size_t node, const char* path, int values) {

@@ -1,6 +1,5 @@
 #include "app/export/moving_scene.hpp"
 
-#include "app/export/rigid_parts.hpp"
 #include "app/session/picture/picture_parts.hpp"
 #include "core/jets/euler_parameters.hpp"
 #include "render/passes/instances.hpp"
@@ -21,7 +20,7 @@ std::array<float, 4> rotation_of(const Vec4& p) {
 }
 
 gltf::Pose pose_of(const State& state, int body) {
-    const auto b = static_cast<std::size_t>(body);
+    const auto b = at(body);
     return {floats(state.r[b]), rotation_of(state.p[b].normalized())};
 }
 
@@ -29,7 +28,7 @@ gltf::Pose pose_of(const State& state, int body) {
 std::vector<int> moments_of(const Story& story) {
     std::vector<int> moments;
     for (int k = 0; k < static_cast<int>(story.steps().size()); ++k) {
-        if (story.steps()[static_cast<std::size_t>(k)].kind == Step::Kind::motion) { moments.push_back(k); }
+        if (story.steps()[at(k)].kind == Step::Kind::motion) { moments.push_back(k); }
     }
     if (moments.empty()) { moments.push_back(story.last_assembled()); }
     return moments;
@@ -86,23 +85,18 @@ gltf::Scene moving_scene_of(const Story& story) {
     const std::vector<Body>& bodies = lesson.mechanism.bodies;
     const PictureStyle style = picture_style(story);
     const std::vector<int> moments = moments_of(story);
-    const auto state_at = [&](int step) -> const State& {
-        return story.steps()[static_cast<std::size_t>(step)].state;
-    };
+    const auto state_at = [&](int step) -> const State& { return story.steps()[at(step)].state; };
     gltf::Scene scene;
     scene.name = lesson.title;
     scene.nodes.push_back({lesson.title, {}, -1, turned_to_y(style.up), {}});
     const std::optional<MotionPlan> plan = shown_motion(lesson);
     const bool moves = plan && moments.size() > 1;
     if (moves) {
-        for (const int k : moments) {
-            scene.times.push_back(time_of(*plan, story.steps()[static_cast<std::size_t>(k)].t));
-        }
+        for (const int k : moments) { scene.times.push_back(time_of(*plan, story.steps()[at(k)].t)); }
     }
     for (int b = 0; b < static_cast<int>(bodies.size()); ++b) {
-        gltf::Node node{
-            bodies[static_cast<std::size_t>(b)].name, {}, -1, pose_of(state_at(moments.front()), b), {}};
-        if (moves && !bodies[static_cast<std::size_t>(b)].fixed) {
+        gltf::Node node{bodies[at(b)].name, {}, -1, pose_of(state_at(moments.front()), b), {}};
+        if (moves && !bodies[at(b)].fixed) {
             for (const int k : moments) { node.motion.push_back(pose_of(state_at(k), b)); }
         }
         scene.nodes.front().children.push_back(static_cast<int>(scene.nodes.size()));

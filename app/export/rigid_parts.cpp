@@ -1,4 +1,4 @@
-#include "app/export/rigid_parts.hpp"
+#include "app/export/moving_scene.hpp"
 
 #include <algorithm>
 #include <map>
@@ -107,7 +107,7 @@ public:
             std::vector<render::Shape> shapes = picture_of(story, style, step).scene.shapes;
             std::erase_if(shapes, [](const render::Shape& shape) { return shape.colour.a < 1.0F; });
             shapes_.push_back(std::move(shapes));
-            states_.push_back(&story.steps()[static_cast<std::size_t>(step)].state);
+            states_.push_back(&story.steps()[at(step)].state);
         }
     }
 
@@ -131,7 +131,7 @@ public:
         if (link.kind == Pointable::Kind::body) { return {link.index}; }
         std::vector<int> bodies;
         if (link.kind == Pointable::Kind::joint) {
-            const Joint& joint = story_.lesson().mechanism.joints[static_cast<std::size_t>(link.index)];
+            const Joint& joint = story_.lesson().mechanism.joints[at(link.index)];
             bodies = {joint.body_i, joint.body_j};
         }
         for (int b = 0; b < static_cast<int>(story_.lesson().mechanism.bodies.size()); ++b) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/session/encoding/xml_text.hpp"
+#include "app/session/encoding/html_words.hpp"
 #include "app/session/story/timeline.hpp"
 #include "app/session/wording/text_width.hpp"
 #include "lessons/math/text_parts.hpp"

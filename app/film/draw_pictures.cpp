@@ -17,7 +17,7 @@ public:
     render::Image paint(const FilmPicture& picture) {
         if (!view_ || view_->step != picture.step) { view_ = view_of(*story_, picture.step); }
         if (picture.share >= 1.0) { return painter_.paint(*view_); }
-        const auto k = static_cast<std::size_t>(picture.step);
+        const auto k = at(picture.step);
         Step step = story_->steps()[k];
         step.state = pose_between(story_->steps()[k - 1].state, step.state, picture.share);
         return painter_.paint(*view_, painter_.picture(*view_, step));

@@ -21,6 +21,9 @@ std::optional<FilmFormat> format_of(const std::filesystem::path& file);
 constexpr bool needs_ffmpeg(FilmFormat format) {
     return format == FilmFormat::mp4 || format == FilmFormat::webm;
 }
+/// True if a program ffmpeg is on the path.
+bool has_ffmpeg();
+
 /// True for formats that can be transparent.
 constexpr bool can_be_transparent(FilmFormat format) {
     return format == FilmFormat::apng || format == FilmFormat::webm || format == FilmFormat::html;

@@ -73,11 +73,11 @@ std::vector<FilmPicture> pictures_of_film(const Story& story, int first, int las
     for (int k = first; k <= last; ++k) {
         const View view = view_of(story, k, ViewParts::without_matrix);
         const double seconds = seconds_to_look(view, 1.0 / pace.fps);
-        const State& pose = story.steps()[static_cast<std::size_t>(k)].state;
+        const State& pose = story.steps()[at(k)].state;
         const bool may_move = pace.shows_ways && k > first && view.kind != Step::Kind::motion;
         int ways = 0;
         if (may_move) {
-            const State& before = story.steps()[static_cast<std::size_t>(k - 1)].state;
+            const State& before = story.steps()[at(k - 1)].state;
             if (move_between(before, pose, size_of(pose)) > kSmallestMove) {
                 ways = static_cast<int>(std::min(kLongestWay, kMostOfAStep * seconds) * pace.fps);
             }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/film/movie.hpp"
 #include "app/session/story/timeline.hpp"
 
 namespace jw::film {

@@ -1,13 +1,28 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// Processes of this program that share the work of one run.
+/// Programs that are started, and processes of this program that share the work of one run.
 namespace jw::film {
+
+/// A program to start.
+struct Command {
+    std::vector<std::string> words;        ///< the first is the program, which is searched for on the path
+    std::vector<std::string> environment;  ///< "NAME=value"; empty: that of this process
+    std::filesystem::path log;             ///< file for everything that it prints
+};
+
+/// Starts a program, and does not wait. @throws std::runtime_error if it cannot be started
+pid_t start(const Command& command);
+
+/// The last non-empty line of a file; empty if there is none.
+std::string last_line_of(const std::filesystem::path& file);
 
 /// Variable of the environment that tells a process which part of the pictures it draws.
 inline constexpr const char* kPartVariable = "JOINTWISE_PART";

@@ -8,7 +8,7 @@
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/characters.hpp"
 #include "app/session/output/export.hpp"
-#include "app/session/picture/picture_camera.hpp"
+#include "app/session/picture/picture.hpp"
 #include "app/session/story/timeline.hpp"
 #include "app/session/try/carry_out.hpp"
 #include "app/session/wording/messages.hpp"

@@ -10,7 +10,7 @@
 #include "app/host/lesson/background_story.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/output/pace.hpp"
-#include "app/session/picture/picture_camera.hpp"
+#include "app/session/picture/picture.hpp"
 #include "app/session/story/timeline.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/read/reader.hpp"

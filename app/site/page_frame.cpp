@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "app/session/encoding/base64.hpp"
 #include "app/session/encoding/html_words.hpp"
-#include "app/session/encoding/percent.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
 #include "app/session/wording/text_width.hpp"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "app/session/encoding/base64.hpp"
-#include "app/session/encoding/xml_text.hpp"
+#include "app/session/encoding/html_words.hpp"
 #include "app/snapshot/reports.hpp"
 
 namespace jw::snapshot {

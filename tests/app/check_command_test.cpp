@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/session/encoding/xml_text.hpp"
+#include "app/session/encoding/html_words.hpp"
 #include "lessons/files/catalogue.hpp"
 #include "tests/app/program.hpp"
 

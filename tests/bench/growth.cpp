@@ -6,7 +6,6 @@
 
 #include "app/session/claims/checks.hpp"
 #include "app/session/output/describe.hpp"
-#include "app/session/output/describe_inspection.hpp"
 #include "app/session/view/solution.hpp"
 #include "lessons/read/reader.hpp"
 #include "tests/bench/clock.hpp"

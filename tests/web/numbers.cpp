@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "app/session/claims/checks.hpp"
-#include "app/session/output/json_tables.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/story/dynamics_run.hpp"
 #include "app/session/story/story.hpp"
 #include "app/session/view/inspection.hpp"
 #include "app/session/view/solution.hpp"

@@ -13,7 +13,7 @@
 #include "app/commands/program/outputs.hpp"
 #include "app/panels/plot/comparison.hpp"
 #include "app/session/benchmark/prices.hpp"
-#include "app/session/output/csv.hpp"
+#include "app/session/output/export.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/session/wording/text_table.hpp"

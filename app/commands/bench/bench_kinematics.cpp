@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/session/benchmark/kinematics_bench.hpp"
-#include "app/session/output/csv.hpp"
+#include "app/session/output/export.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/text_table.hpp"
 #include "lessons/files/catalogue.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "app/host/frames/frame_painter.hpp"
-#include "app/session/output/csv.hpp"
+#include "app/session/output/export.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/text_table.hpp"
 #include "lessons/files/catalogue.hpp"

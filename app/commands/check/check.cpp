@@ -9,7 +9,7 @@
 #include "app/commands/options/format_option.hpp"
 #include "app/commands/program/commands.hpp"
 #include "app/exercises/check_exercise.hpp"
-#include "app/session/claims/carried_claims.hpp"
+#include "app/session/claims/checks.hpp"
 #include "app/session/try/trials.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/exercise/read_exercises.hpp"

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "app/panels/parts/characters.hpp"
-#include "app/session/wording/character_classes.hpp"
+#include "app/session/wording/text_width.hpp"
 #include "lessons/diagnostics/read_text.hpp"
 #include "render/fonts/fonts.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "app/commands/program/command.hpp"
 #include "app/host/frames/frame_draft.hpp"
-#include "app/session/output/json_proof.hpp"
+#include "app/session/output/json.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "render/files/atomic_file.hpp"
 #include "render/fonts/fonts.hpp"

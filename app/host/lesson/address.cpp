@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/session/encoding/percent.hpp"
+#include "app/session/encoding/base64.hpp"
 #include "app/session/wording/typed_words.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/text/utf8.hpp"

@@ -5,7 +5,7 @@
 
 #include "app/session/story/timeline.hpp"
 #include "app/session/try/carry_out.hpp"
-#include "app/session/try/experiment_parts.hpp"
+#include "app/session/try/experiment_text.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 
 namespace jw::host {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/session/picture/pointed_thing.hpp"
+#include "app/session/picture/pointable.hpp"
 
 namespace jw::host {
 

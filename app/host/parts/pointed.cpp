@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/session/output/symbol_tip.hpp"
+#include "app/session/output/describe.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"

@@ -7,7 +7,7 @@
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/theme.hpp"
-#include "app/session/picture/pointed_thing.hpp"
+#include "app/session/picture/pointable.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/math/text_parts.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "app/host/parts/pointed.hpp"
 #include "app/host/ui/ui.hpp"
-#include "app/session/answers/judged_answer.hpp"
+#include "app/session/answers/right_answer.hpp"
 
 /// Answers to the questions of a lesson: given before the step, compared after it.
 namespace jw::host {

@@ -6,7 +6,7 @@
 #include <imgui.h>
 
 #include "app/panels/parts/text_lines.hpp"
-#include "app/session/wording/character_classes.hpp"
+#include "app/session/wording/text_width.hpp"
 
 namespace jw::panels {
 

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "app/session/wording/character_classes.hpp"
 #include "app/session/wording/messages.hpp"
+#include "app/session/wording/text_width.hpp"
 #include "lessons/lesson/in_language.hpp"
 #include "render/fonts/fonts.hpp"
 

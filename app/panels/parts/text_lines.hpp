@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/session/wording/character_classes.hpp"
+#include "app/session/wording/text_width.hpp"
 
 struct ImFont;
 

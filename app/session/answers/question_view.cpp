@@ -75,15 +75,14 @@ void add_how(const Lesson& lesson, const Answer& answer, QuestionView& view) {
         view.names = names_of(lesson, pointed->kind);
         view.how = how_to_point(pointed->kind);
     } else if (const auto* const pose = std::get_if<PoseAnswer>(&answer)) {
-        const std::string& body = lesson.mechanism.bodies[static_cast<std::size_t>(pose->body)].name;
+        const std::string& body = lesson.mechanism.bodies[at(pose->body)].name;
         view.how = tr("Drag {0} there, or give its x, y, z [m] and e0, e1, e2, e3.", body);
     }
 }
 
 std::string pose_answer_text(const BodyPose& pose) {
-    std::vector<std::string> p;
-    for (const double e : pose.p) { p.push_back(number_text(e, 4)); }
-    return tr("r = {0} m, p = ({1})", vector_text(pose.r), p[0] + ", " + p[1] + ", " + p[2] + ", " + p[3]);
+    const std::string p = joined(pose.p, ", ", [](double e) { return number_text(e, 4); });
+    return tr("r = {0} m, p = ({1})", vector_text(pose.r), p);
 }
 
 std::string answer_text(const Lesson& lesson, const Question& question, const RightAnswer& right) {
@@ -94,7 +93,7 @@ std::string answer_text(const Lesson& lesson, const Question& question, const Ri
         for (const Thing& thing : right.things) { names.push_back(name_of(thing, lesson.mechanism)); }
         return alternatives(names);
     }
-    if (right.choice >= 0) { return choices_of(question)[static_cast<std::size_t>(right.choice)]; }
+    if (right.choice >= 0) { return choices_of(question)[at(right.choice)]; }
     const std::string unit = unit_of_answer(question);
     // as many digits as the tolerance asks for, and two more
     const double size = std::max(std::abs(right.number), 1e-300);

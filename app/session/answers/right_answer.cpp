@@ -5,10 +5,17 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <sstream>
+#include <vector>
 
 #include "app/session/story/dynamics_rows.hpp"
+#include "app/session/wording/messages.hpp"
+#include "app/session/wording/numbers.hpp"
 #include "core/elementary/elementary.hpp"
+#include "core/numerics/decimal.hpp"
 #include "core/numerics/variants.hpp"
+#include "lessons/math/text_parts.hpp"
 
 namespace jw {
 
@@ -18,16 +25,9 @@ namespace {
 // answer
 constexpr long kMostStepsOfAnswer = 100'000;
 
-RankReport report_of(const Step& step) {
-    return step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
-}
-
 RightAnswer right_count(const CountAnswer& answer, const Step& step) {
-    const RankReport report = report_of(step);
-    RightAnswer right;
-    right.number = count_of(report, answer.count);
-    right.known = report.decided;
-    return right;
+    const RankReport report = rank_of(step);
+    return {.number = static_cast<double>(count_of(report, answer.count)), .known = report.decided};
 }
 
 RightAnswer right_axis(const DroppedAnswer& answer, const Step& step) {
@@ -41,24 +41,16 @@ RightAnswer right_axis(const DroppedAnswer& answer, const Step& step) {
 
 /// The instant at a time of the motion that the lesson prescribes.
 std::optional<Instant> driven_instant(const Story& story, double t) {
-    const Step& assembled = story.steps()[static_cast<std::size_t>(story.last_assembled())];
+    const Step& assembled = story.steps()[at(story.last_assembled())];
     System system = *assembled.system;
     MotionTracker tracker(system, assembled.state, assembled.t);
     bool switched = false;
     if (!advance_along(tracker, story.lesson(), t, switched)) { return std::nullopt; }
-    Instant instant;
-    instant.t = t;
-    instant.system = std::make_shared<const System>(system);
-    instant.state = tracker.frame().state;
-    instant.velocity = tracker.frame().velocity;
-    instant.turns = tracker.frame().turns;
-    instant.acceleration = tracker.frame().acceleration;
-    return instant;
+    return instant_of(std::make_shared<const System>(system), tracker.frame());
 }
 
 double value_at(const QuantityAnswer& answer, const Instant& instant) {
-    return evaluate(answer.quantity, instant, answer.derivative)
-        .derivatives[static_cast<std::size_t>(answer.derivative)];
+    return evaluate(answer.quantity, instant, answer.derivative).derivatives[at(answer.derivative)];
 }
 
 /// The instant at exactly the time `t` of the motion by masses and forces.
@@ -101,7 +93,7 @@ RightAnswer right_quantity(const QuantityAnswer& answer, const Story& story) {
 }
 
 BodyPose pose_of(const State& state, int body) {
-    const auto b = static_cast<std::size_t>(body);
+    const auto b = at(body);
     return {state.r[b], state.p[b]};
 }
 
@@ -158,13 +150,131 @@ RightAnswer right_things(const PointedAnswer& answer, const Question& question, 
     if (answer.found == RowsFound::dropped) {
         right.things = dropped_rows(question, step);
     } else if (answer.found == RowsFound::redundant) {
-        const RankReport report = report_of(step);
+        const RankReport report = rank_of(step);
         right.things = redundant_rows(step, report);
         right.known = report.decided;
     }
     // without such a thing, no click can be right
     right.known = right.known && !right.things.empty();
     return right;
+}
+
+std::string without_blanks(const std::string& text) {
+    std::string kept;
+    std::ranges::copy_if(text, std::back_inserter(kept), [](char c) { return c != ' '; });
+    return kept;
+}
+
+/// A number or a fraction of two numbers, with or without the unit after it.
+std::optional<double> typed_number(std::string text, const std::string& unit) {
+    text = without_blanks(text);
+    const std::string plain_unit = without_blanks(unit);
+    if (!plain_unit.empty() && text.size() > plain_unit.size() && text.ends_with(plain_unit)) {
+        text.resize(text.size() - plain_unit.size());
+    }
+    const auto parse = [](std::string_view part) -> std::optional<double> {
+        double value = 0.0;
+        const auto [end, error] = read_decimal(part.data(), part.data() + part.size(), value);
+        const bool whole = error == std::errc() && end == part.data() + part.size();
+        return whole && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
+    };
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos) { return parse(text); }
+    const auto above = parse(std::string_view(text).substr(0, slash));
+    const auto below = parse(std::string_view(text).substr(slash + 1));
+    if (!above || !below || *below == 0.0) { return std::nullopt; }
+    return *above / *below;
+}
+
+int chosen(const QuestionView& view, const std::string& given) {
+    const std::optional<double> number = typed_number(given, "");
+    const auto count = static_cast<double>(view.choices.size());
+    if (number && *number >= 1.0 && *number <= count && *number == std::floor(*number)) {
+        return static_cast<int>(*number) - 1;
+    }
+    for (std::size_t k = 0; k < view.choices.size(); ++k) {
+        if (!given.empty() && math::plain_words(view.choices[k]).starts_with(given)) {
+            return static_cast<int>(k);
+        }
+    }
+    return -1;
+}
+
+GivenAnswer not_understood(std::string why) { return {false, false, std::move(why)}; }
+
+GivenAnswer judge_choice(const QuestionView& view, const RightAnswer& right, const std::string& given) {
+    const int choice = chosen(view, given);
+    if (choice < 0) {
+        return not_understood(tr("expected the number of a choice, 1 to {0}", view.choices.size()));
+    }
+    return {true, right.known && choice == right.choice, tr("You said: {0}", view.choices[at(choice)])};
+}
+
+GivenAnswer judge_number(const QuestionView& view, const RightAnswer& right, const std::string& given) {
+    const std::optional<double> number = typed_number(given, view.unit);
+    if (!number) {
+        return not_understood(
+            view.unit.empty() ? tr("expected a number") : tr("expected a number in {0}", view.unit));
+    }
+    const double apart = *number - right.number;
+    const double off = right.turn > 0.0 ? std::remainder(apart, right.turn) : apart;
+    const std::string said = number_text(*number, 6) + (view.unit.empty() ? "" : " " + view.unit);
+    GivenAnswer judged{true, right.known && std::abs(off) <= right.tolerance, tr("You said {0}.", said)};
+    if (right.known && !judged.right && right.tolerance > 0.0) {
+        judged.note = followed(judged.note, tr("Off by {0}.", number_text(off, 3)));
+    }
+    return judged;
+}
+
+GivenAnswer judge_thing(
+    const QuestionView& view, const RightAnswer& right, const Mechanism& mechanism,
+    const std::string& given) {
+    const std::optional<Thing> thing = thing_named(mechanism, view.thing, given);
+    const bool possible =
+        thing && std::ranges::find(view.names, name_of(*thing, mechanism)) != view.names.end();
+    if (!possible) {
+        return not_understood(
+            view.names.empty() ? tr("nothing of that kind is here")
+                               : tr("expected a name such as {0}", view.names.front()));
+    }
+    const bool is_right = right.known && std::ranges::find(right.things, *thing) != right.things.end();
+    return {true, is_right, tr("You said: {0}", name_of(*thing, mechanism))};
+}
+
+/// Seven numbers, separated by blanks, commas or semicolons.
+std::optional<BodyPose> typed_pose(std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return c == ',' || c == ';'; }, ' ');
+    std::istringstream words(text);
+    std::vector<double> numbers;
+    for (std::string word; words >> word;) {
+        const std::optional<double> number = typed_number(word, "");
+        if (!number) { return std::nullopt; }
+        numbers.push_back(*number);
+    }
+    if (numbers.size() != 7) { return std::nullopt; }
+    BodyPose pose{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5], numbers[6]}};
+    const double length = pose.p.norm();
+    // a p that was typed with a few digits has length 1 only to a few per cent
+    if (!(length > 0.5) || !(length < 2.0)) { return std::nullopt; }
+    pose.p /= length;
+    return pose;
+}
+
+GivenAnswer judge_pose(const RightAnswer& right, const std::string& given) {
+    const std::optional<BodyPose> pose = typed_pose(given);
+    if (!pose) { return not_understood(tr("expected x, y, z [m] and e0, e1, e2, e3; or drag the body")); }
+    GivenAnswer judged{true, false, tr("You said: {0}", tr("r = {0} m", vector_text(pose->r)))};
+    if (!right.known || !right.pose) { return judged; }
+    const double off = (pose->r - right.pose->r).norm();
+    const double turn = pose->turn_from(*right.pose);
+    judged.right = off <= right.tolerance && turn <= right.tolerance_rad;
+    if (!judged.right) {
+        judged.note = followed(
+            judged.note + ".",
+            tr("Off by {0} m and {1}°.", number_text(off, 3), number_text(turn * kDegreesPerRadian, 3)));
+    }
+    return judged;
 }
 
 }  // namespace
@@ -177,7 +287,7 @@ double BodyPose::turn_from(const BodyPose& other) const {
 
 std::optional<Thing> thing_of_row(const System& system, int row) {
     const RowOrigin origin = system.origin(row);
-    const auto k = static_cast<std::size_t>(origin.index);
+    const auto k = at(origin.index);
     switch (origin.kind) {
         case RowOrigin::Kind::constraint: {
             const Constraint& c = system.constraints()[k];
@@ -190,7 +300,7 @@ std::optional<Thing> thing_of_row(const System& system, int row) {
 }
 
 RightAnswer right_answer(const Story& story, int index) {
-    const Question& question = story.lesson().questions[static_cast<std::size_t>(index)];
+    const Question& question = story.lesson().questions[at(index)];
     for (const Step& step : story.steps()) {
         if (step.kind == Step::Kind::answer && step.question == index) {
             return right_answer(story, question, step);
@@ -205,16 +315,28 @@ RightAnswer right_answer(const Story& story, const Question& question, const Ste
             [&](const CountAnswer& a) { return right_count(a, step); },
             [&](const DroppedAnswer& a) { return right_axis(a, step); },
             [&](const QuantityAnswer& a) { return right_quantity(a, story); },
-            [&](const ChoiceAnswer& a) {
-                RightAnswer right;
-                right.choice = a.right;
-                right.known = true;
-                return right;
-            },
+            [&](const ChoiceAnswer& a) { return RightAnswer{.choice = a.right, .known = true}; },
             [&](const PointedAnswer& a) { return right_things(a, question, step); },
             [&](const PoseAnswer& a) { return right_pose(a, story, step); },
         },
         question.answer);
+}
+
+GivenAnswer judge_answer(
+    const QuestionView& view, const RightAnswer& right, const Mechanism& mechanism,
+    const std::string& given) {
+    switch (view.kind) {
+        case QuestionView::Kind::choice: return judge_choice(view, right, given);
+        case QuestionView::Kind::thing: return judge_thing(view, right, mechanism, given);
+        case QuestionView::Kind::pose: return judge_pose(right, given);
+        case QuestionView::Kind::number: break;
+    }
+    return judge_number(view, right, given);
+}
+
+std::string pose_text(const BodyPose& pose) {
+    const auto exact = [](double x) { return number_text(x, 17); };
+    return joined(pose.r, " ", exact) + " " + joined(pose.p, " ", exact);
 }
 
 }  // namespace jw

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "app/session/answers/question_view.hpp"
 #include "app/session/story/story.hpp"
 
-/// The right answers to the questions of a lesson, found in its story.
+/// The right answers to the questions of a lesson, found in its story, and verdicts on given answers.
 namespace jw {
 
 /// Position and orientation of a body.
@@ -35,5 +36,19 @@ RightAnswer right_answer(const Story& story, int index);
 
 /// The row of a system as a thing; nothing for a normalisation row.
 std::optional<Thing> thing_of_row(const System& system, int row);
+
+struct GivenAnswer {
+    bool understood = false;
+    bool right = false;
+    std::string note;  ///< "You said 3.", or why the answer was not understood
+};
+
+/// @param given  the number of a choice, from 1, or the beginning of its text; a number with or without unit:
+///   "30", "30 deg", "1/3"; the name of a thing; the seven coordinates of a pose (pose_text)
+GivenAnswer judge_answer(
+    const QuestionView& view, const RightAnswer& right, const Mechanism& mechanism, const std::string& given);
+
+/// "x y z e0 e1 e2 e3" with all digits.
+std::string pose_text(const BodyPose& pose);
 
 }  // namespace jw

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "app/session/claims/claim_poses.hpp"
-#include "app/session/claims/formula_claims.hpp"
 #include "app/session/story/sentences.hpp"
 #include "app/session/story/story.hpp"
 #include "app/session/wording/explanations.hpp"
@@ -17,7 +16,10 @@
 #include "core/equations/assembler.hpp"
 #include "core/numerics/variants.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/formula/symbol_values.hpp"
+#include "lessons/math/read_math.hpp"
 #include "lessons/math/text_parts.hpp"
+#include "lessons/math/write_math.hpp"
 #include "lessons/typed/exact_text.hpp"
 
 namespace jw {
@@ -36,11 +38,7 @@ std::string text_of(const Moment& moment, const Lesson& lesson) {
             [](const AtTime& at) { return tr("at {0} s", number_text(at.t, kTypedDigits)); },
             [&](const AfterAddition& after) -> std::string {
                 if (after.count == 0) { return tr("free bodies"); }
-                const Addition& a = lesson.order[static_cast<std::size_t>(after.count - 1)];
-                const auto k = static_cast<std::size_t>(a.index);
-                return tr(
-                    "after {0}", a.kind == Addition::Kind::joint ? lesson.mechanism.joints[k].name
-                                                                 : lesson.mechanism.drivers[k].name);
+                return tr("after {0}", name_of(lesson.order[at(after.count - 1)], lesson.mechanism));
             },
         },
         moment);
@@ -60,8 +58,8 @@ const char* name_of(Count count) {
 
 double number_of(const QuantityClaim& claim, const Instant& instant, Absence& why) {
     const QuantityValue v = evaluate(claim.quantity, instant, claim.derivative);
-    why = v.absences[static_cast<std::size_t>(claim.derivative)];
-    return v.derivatives[static_cast<std::size_t>(claim.derivative)];
+    why = v.absences[at(claim.derivative)];
+    return v.derivatives[at(claim.derivative)];
 }
 
 /// Difference of two values. A pose determines an angle up to whole turns; a motion determines these, too.
@@ -125,7 +123,7 @@ void judge(const CountClaim& claim, const Pose& pose, ClaimResult& result) {
 }
 
 void judge(const DroppedClaim& claim, const Pose& pose, ClaimResult& result) {
-    const Joint& joint = pose.instant.system->mechanism().joints[static_cast<std::size_t>(claim.joint)];
+    const Joint& joint = pose.instant.system->mechanism().joints[at(claim.joint)];
     result.subject = tr("left out of {0} {1}", joint.name, name_of_role(claim.role, joint.parallel_form));
     result.expected = axis_name(claim.component);
     result.found = tr("nothing");
@@ -169,6 +167,60 @@ void judge(const BoundClaim& claim, const Pose& pose, ClaimResult& result) {
     const std::string limit = text(claim.limit);
     result.expected = above ? tr("above {0}", limit) : tr("below {0}", limit);
     result.found = text(found);
+}
+
+constexpr unsigned kStates = 20;
+constexpr double kPlainlyOther = 1e-6;
+
+/// The outcome that is farthest from equality; `part` is its difference relative to the largest term.
+struct Worst {
+    formula::Outcome outcome;
+    double part = 0.0;
+};
+
+Worst worst_of(const formula::Formula& formula, const std::vector<Instant>& instants) {
+    Worst worst;
+    for (const Instant& instant : instants) {
+        formula::Outcome outcome = formula::evaluate_at(formula, instant);
+        const double scale = std::max(outcome.apart.scale, 1e-300);
+        const double part = outcome.apart.difference / scale;
+        // NaN counts as farthest apart
+        if (!outcome.problem && part <= worst.part && !worst.outcome.left.empty()) { continue; }
+        worst = {std::move(outcome), part};
+        if (worst.outcome.problem || !(part >= 0.0)) { break; }
+    }
+    return worst;
+}
+
+/// Random states of the mechanism of `instant`, with its masses; the same in every run.
+std::vector<Instant> arbitrary_instants(const Instant& instant) {
+    std::vector<Instant> instants;
+    for (unsigned seed = 0; seed < kStates; ++seed) {
+        instants.push_back(formula::arbitrary_instant(instant.system, seed));
+        instants.back().scene = instant.scene;
+    }
+    return instants;
+}
+
+/// Judges a formula. It holds if its sides agree, up to rounding, at every instant; a formula that is claimed
+/// not to hold must fail clearly at one instant.
+void judge_formula(const FormulaClaim& claim, const std::vector<Instant>& instants, ClaimResult& result) {
+    result.subject = math::write_plain(math::read_math(claim.formula.source).row);
+    result.expected = claim.holds ? tr("holds") : tr("does not hold");
+    const Worst worst = worst_of(claim.formula, instants);
+    if (worst.outcome.misfit && !claim.holds) {
+        result.holds = true;
+        return;
+    }
+    if (worst.outcome.problem) {
+        result.found = tr("nothing: {0}", worst.outcome.problem->message);
+        return;
+    }
+    result.holds = claim.holds ? worst.part <= formula::kKnown : worst.part > kPlainlyOther;
+    if (result.holds) { return; }
+    result.found =
+        tr("{0} and {1}, {2} apart", worst.outcome.left, worst.outcome.right,
+           small_text(worst.outcome.apart.difference));
 }
 
 void judge(const FormulaClaim& claim, const Pose& pose, ClaimResult& result) {
@@ -269,6 +321,26 @@ ClaimResult judged_end(const Lesson& lesson, const Pose& pose) {
     return result;
 }
 
+/// The same moment in the changed lesson; nothing if the joint or driver that it comes after is gone.
+std::optional<Moment> carried(const Moment& when, const Lesson& written, const Lesson& changed) {
+    using Carried = std::optional<Moment>;
+    return std::visit(
+        Overloaded{
+            [](const AsGiven& given) -> Carried { return given; },
+            [](const AnyState& any) -> Carried { return any; },
+            [](const AtRest& rest) -> Carried { return rest; },
+            [&](const AfterAddition& after) -> Carried {
+                if (after.count == 0) { return after; }
+                const Addition& addition = written.order[at(after.count - 1)];
+                const auto found = std::ranges::find(changed.order, addition);
+                if (found == changed.order.end()) { return std::nullopt; }
+                return AfterAddition{static_cast<int>(found - changed.order.begin()) + 1};
+            },
+            [](const AtTime& at) -> Carried { return at; },
+        },
+        when);
+}
+
 }  // namespace
 
 std::vector<ClaimResult> check_claims(const Lesson& lesson) {
@@ -282,6 +354,21 @@ std::vector<ClaimResult> check_claims(const Lesson& lesson) {
         results.push_back(judged_end(lesson, poses.at(AtTime{lesson.dynamics->duration, true})));
     }
     return results;
+}
+
+std::vector<Claim> carried_claims(const Lesson& written, const Lesson& changed) {
+    std::vector<Claim> claims;
+    for (const Claim& claim : written.claims) {
+        const Addition subject = subject_of(claim.fact);
+        if (subject.index >= 0 && std::ranges::find(changed.order, subject) == changed.order.end()) {
+            continue;
+        }
+        if (const std::optional<Moment> when = carried(claim.when, written, changed)) {
+            claims.push_back(claim);
+            claims.back().when = *when;
+        }
+    }
+    return claims;
 }
 
 }  // namespace jw

@@ -117,11 +117,7 @@ void ClaimPoses::follow_motion() {
         if (failure.empty() && !tracker.advance_to(t)) { failure = failure_text(system, *tracker.failure()); }
         const MotionFrame& frame = tracker.frame();
         Pose& pose = motion_[t];
-        pose.instant.system = std::make_shared<System>(system);
-        pose.instant.state = frame.state;
-        pose.instant.velocity = frame.velocity;
-        pose.instant.turns = frame.turns;
-        pose.instant.acceleration = frame.acceleration;
+        pose.instant = instant_of(std::make_shared<System>(system), frame);
         pose.instant.t = t;
         pose.instant.scene = springs.at(frame.state, frame.turns);
         pose.change_point = frame.change_point;

@@ -1,6 +1,6 @@
 #include "app/session/encoding/junit.hpp"
 
-#include "app/session/encoding/xml_text.hpp"
+#include "app/session/encoding/html_words.hpp"
 
 namespace jw {
 

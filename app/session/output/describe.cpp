@@ -1,6 +1,7 @@
 #include "app/session/output/describe.hpp"
 
 #include <cmath>
+#include <ranges>
 
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
@@ -68,10 +69,8 @@ std::string rank_text(const View& view, int width) {
                           rank.mobility_by_counting) +
                        '\n';
     if (!rank.singular_values.empty()) {
-        std::string values;
-        for (const double s : rank.singular_values) {
-            values += (values.empty() ? "" : " ") + number_text(s, 3);
-        }
+        const std::string values =
+            joined(rank.singular_values, " ", [](double s) { return number_text(s, 3); });
         const std::string line =
             tr("singular values: {0}; up to {1} they count as zero", values, small_text(rank.threshold));
         text += "  " + wrapped(line, width - 2, 4) + '\n';
@@ -114,11 +113,7 @@ std::string motion_text(const View& view) {
 /// The first of many names: "a, b, c, ..."
 std::string some_of(const std::vector<std::string>& names) {
     constexpr std::size_t most = 24;
-    std::string text;
-    for (std::size_t k = 0; k < std::min(most, names.size()); ++k) {
-        text += (k == 0 ? "" : ", ") + names[k];
-    }
-    return names.size() > most ? text + ", ..." : text;
+    return joined(names | std::views::take(most), ", ") + (names.size() > most ? ", ..." : "");
 }
 
 /// The question with its choices, or its answer with the reason.
@@ -138,6 +133,17 @@ std::string question_text(const QuestionView& question, int width) {
     text += "  ! " + wrapped(math::plain_words(question.answer), width - 4, 4) + '\n';
     if (question.why.empty()) { return text; }
     return text + "  » " + wrapped(math::plain_words(question.why), width - 4, 4) + '\n';
+}
+
+void join(std::string& text, const std::string& more) {
+    if (!more.empty()) { text += (text.empty() ? "" : " · ") + more; }
+}
+
+std::string meaning_line(const SymbolView& symbol, const SymbolMeaning& meaning, bool several) {
+    const std::string owner = several && !meaning.owner.empty() ? meaning.owner + ":  " : "";
+    std::string line = owner + "$" + meaning.source + " = " + matrix_markup(meaning.value) + "$";
+    if (!symbol.unit.empty()) { line += " " + symbol.unit; }
+    return meaning.frame.empty() ? line : line + "  " + meaning.frame;
 }
 
 }  // namespace
@@ -171,6 +177,28 @@ std::string describe(const View& view, int width) {
             break;
     }
     return text;
+}
+
+std::vector<std::string> symbol_tip(const SymbolView& symbol) {
+    std::string head = symbol.what;
+    const bool several = symbol.meanings.size() > 1;
+    if (!several) { join(head, symbol.meanings.front().owner); }
+    join(head, symbol.defined);
+    std::vector<std::string> lines;
+    if (!head.empty()) { lines.push_back(head); }
+    for (const SymbolMeaning& meaning : symbol.meanings) {
+        lines.push_back(meaning_line(symbol, meaning, several));
+    }
+    if (symbol.more > 0) { lines.push_back(tr("and {0} more", symbol.more)); }
+    return lines;
+}
+
+std::vector<std::string> derivation_tip(const Derivation& derivation) {
+    std::vector<std::string> lines{"$" + derivation.formula + "$"};
+    if (!derivation.numbers.empty()) { lines.push_back("$= " + derivation.numbers + "$"); }
+    if (!derivation.block.empty()) { lines.push_back("$= " + derivation.block + "$"); }
+    if (!derivation.row.empty()) { lines.push_back(derivation.row); }
+    return lines;
 }
 
 }  // namespace jw

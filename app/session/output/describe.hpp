@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "app/session/view/derivation.hpp"
+#include "app/session/view/inspection.hpp"
 #include "app/session/view/view.hpp"
 
 namespace jw {
@@ -10,8 +12,22 @@ namespace jw {
 /// characters where words allow.
 std::string describe(const View& view, int width = 100);
 
+/// Φ, Φq and γ with labelled rows and named columns, the choice of rows and the rank, as text for a terminal.
+std::string describe(const Inspection& inspection, const Lesson& lesson, int width = 100);
+
+/// The equations of motion of slide 24: M and Q body by body, λ row by row, energies and momenta.
+std::string describe(const DynamicsView& dynamics);
+
 struct RestView;
 /// An equilibrium as text for a terminal.
 std::string describe(const RestView& view);
+
+// text beside the pointer, line by line, with formulas between dollar signs
+
+/// What a symbol is, and its value for each thing that it can mean.
+std::vector<std::string> symbol_tip(const SymbolView& symbol);
+
+/// The formula of a block of Φq, the formula with its numbers, and the row of the entry.
+std::vector<std::string> derivation_tip(const Derivation& derivation);
 
 }  // namespace jw

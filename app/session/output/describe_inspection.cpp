@@ -1,4 +1,3 @@
-#include "app/session/output/describe_inspection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +65,7 @@ std::vector<std::vector<Entry>> columns_of(const SparseRows& jacobian) {
     std::vector<std::vector<Entry>> columns(static_cast<std::size_t>(jacobian.columns));
     for (std::size_t row = 0; row < jacobian.rows.size(); ++row) {
         jacobian.for_each_entry(jacobian.rows[row], [&](int column, double value) {
-            if (value != 0.0) { columns[static_cast<std::size_t>(column)].push_back({row, value}); }
+            if (value != 0.0) { columns[at(column)].push_back({row, value}); }
         });
     }
     return columns;
@@ -113,9 +112,8 @@ std::string matrix_text(
 }
 
 std::string values_text(const VectorX& values) {
-    std::string text;
-    for (const double value : values) { text += (text.empty() ? "" : " ") + number_text(value, 4); }
-    return text.empty() ? tr("none") : text;
+    return values.size() == 0 ? tr("none")
+                              : joined(values, " ", [](double value) { return number_text(value, 4); });
 }
 
 std::string choices_text(const Inspection& inspection, int width) {
@@ -124,7 +122,7 @@ std::string choices_text(const Inspection& inspection, int width) {
     for (std::size_t k = 0; k < system.constraints().size(); ++k) {
         const Constraint& c = system.constraints()[k];
         if (!is_parallel(c.role)) { continue; }
-        const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(c.joint)];
+        const Joint& joint = system.mechanism().joints[at(c.joint)];
         const ChoiceView view =
             choice_view_of(explain_choice(system, static_cast<int>(k), inspection.state, -1));
         text += "  " +
@@ -195,6 +193,53 @@ std::string rank_lines(const Inspection& inspection, int width) {
     return text;
 }
 
+constexpr const char* kSlide24 =
+    "    | M   Φqᵀ | |  q̈ |   | Q |\n"
+    "    | Φq   0  | | −λ | = | γ |,   M = diag(m I, J′),   Q = [f; n′ − ω̃′J′ω′]\n\n";
+
+std::string mass_text(const DynamicsView& dynamics) {
+    TextRows table{{tr("body"), "m [kg]", "J′ [kg m²]", "f [N]", "n′ − ω̃′J′ω′ [N m]"}};
+    TextRows motions{{tr("body"), "r̈ [m/s²]", "ω̇′ [rad/s²]"}};
+    for (const DynamicsView::Body& body : dynamics.bodies) {
+        for (Eigen::Index row = 0; row < 3; ++row) {
+            const Vec3 line = body.J_local.row(row);
+            const bool first = row == 0;
+            table.push_back(
+                {first ? body.name : "", first ? number_text(body.mass, 6) : "", vector_text(line),
+                 first ? vector_text(body.f, 6) : "", first ? vector_text(body.n_local, 6) : ""});
+        }
+        motions.push_back({body.name, vector_text(body.r_ddot, 6), vector_text(body.omega_local_dot, 6)});
+    }
+    return text_table(table, columns_of_numbers(5, 2)) + '\n' + text_table(motions, columns_of_numbers(3, 2));
+}
+
+std::string lambda_text(const DynamicsView& dynamics) {
+    if (dynamics.multipliers.empty()) { return {}; }
+    TextRows table{{tr("λ of"), "", "", ""}};
+    const std::string* owner = nullptr;
+    for (const DynamicsView::Multiplier& m : dynamics.multipliers) {
+        const bool same = owner != nullptr && *owner == m.owner;
+        owner = &m.owner;
+        table.push_back(
+            {same ? "" : m.owner, m.row, number_text(m.lambda, 6), m.left_out ? tr("redundant") : ""});
+    }
+    std::vector<TextColumn> columns = columns_of_numbers(4, 2);
+    columns[1].right = false;
+    return '\n' + text_table(table, columns);
+}
+
+std::string energy_text(const DynamicsView& dynamics) {
+    const Energy& energy = dynamics.energy;
+    const std::string energies =
+        tr("kinetic energy {0} J, potential energy {1} J, together {2} J", number_text(energy.kinetic, 8),
+           number_text(energy.potential, 8), number_text(energy.kinetic + energy.potential, 8));
+    const std::string momenta =
+        tr("momentum {0} kg m/s, angular momentum about the origin {1} kg m²/s",
+           vector_text(dynamics.momentum, 6), vector_text(dynamics.angular_momentum, 6));
+    const std::string proof = tr("|M q̈ − Φqᵀ λ − Q| is {0} of |M q̈| + |Q|", small_text(dynamics.residual));
+    return "\n  " + energies + "\n  " + momenta + "\n  " + proof + '\n';
+}
+
 }  // namespace
 
 std::string describe(const Inspection& inspection, const Lesson& lesson, int width) {
@@ -208,6 +253,12 @@ std::string describe(const Inspection& inspection, const Lesson& lesson, int wid
     if (!choices.empty()) { text += '\n' + choices; }
     text += '\n' + rank_lines(inspection, width);
     return inspection.dynamics ? text + '\n' + describe(*inspection.dynamics) : text;
+}
+
+std::string describe(const DynamicsView& dynamics) {
+    const std::string head = tr("Equations of motion in (r, ω′), bodies at their centres of mass:");
+    return "  " + head + "\n" + kSlide24 + mass_text(dynamics) + lambda_text(dynamics) +
+           energy_text(dynamics);
 }
 
 }  // namespace jw

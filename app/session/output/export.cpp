@@ -1,6 +1,12 @@
 #include "app/session/output/export.hpp"
 
-#include "app/session/output/csv.hpp"
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "app/session/view/series.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/write_math.hpp"
@@ -83,6 +89,52 @@ std::string bracketed(const MatrixView& matrix) {
     return text + "\\end{bmatrix}";
 }
 
+struct Symbol {
+    std::string_view utf8;
+    std::string_view latex;
+};
+
+/// Symbols in labels; a command is followed by a space where a letter may come next.
+constexpr std::array kSymbols{
+    Symbol{"−", "-"},        Symbol{"≡", "\\equiv "},  Symbol{"×", "\\times "},  Symbol{"·", "\\cdot "},
+    Symbol{"′", "\\prime "}, Symbol{"Φ", "\\Phi "},    Symbol{"Δ", "\\Delta "},  Symbol{"α", "\\alpha "},
+    Symbol{"γ", "\\gamma "}, Symbol{"θ", "\\theta "},  Symbol{"λ", "\\lambda "}, Symbol{"ν", "\\nu "},
+    Symbol{"σ", "\\sigma "}, Symbol{"φ", "\\varphi "}, Symbol{"ω", "\\omega "},  Symbol{"‖", "\\Vert "},
+    Symbol{"∞", "\\infty "}, Symbol{"√", "\\surd "},   Symbol{"→", "\\to "},
+};
+
+/// Characters of labels that are subscripts or superscripts.
+constexpr std::array kScripts{
+    Symbol{"₀", "_{0}"}, Symbol{"₁", "_{1}"},           Symbol{"₂", "_{2}"}, Symbol{"₃", "_{3}"},
+    Symbol{"ᵢ", "_{i}"}, Symbol{"ⱼ", "_{j}"},           Symbol{"²", "^{2}"}, Symbol{"⁰", "^{0}"},
+    Symbol{"ᴾ", "^{P}"}, Symbol{"ᵀ", "^{\\mathsf{T}}"}, Symbol{"ᴮ", "^{B}"},
+};
+
+/// Characters with a special meaning in LaTeX text, and how they are written.
+constexpr std::array kEscaped{
+    Symbol{"\\", "\\textbackslash{}"},
+    Symbol{"~", "\\textasciitilde{}"},
+    Symbol{"^", "\\textasciicircum{}"},
+    Symbol{"#", "\\#"},
+    Symbol{"$", "\\$"},
+    Symbol{"%", "\\%"},
+    Symbol{"&", "\\&"},
+    Symbol{"_", "\\_"},
+    Symbol{"{", "\\{"},
+    Symbol{"}", "\\}"}};
+
+template <std::size_t N>
+const Symbol* symbol_at(const std::array<Symbol, N>& symbols, std::string_view text) {
+    const auto found =
+        std::ranges::find_if(symbols, [&](const Symbol& s) { return text.starts_with(s.utf8); });
+    return found == symbols.end() ? nullptr : &*found;
+}
+
+std::string trimmed(std::string_view command) {
+    while (command.ends_with(' ')) { command.remove_suffix(1); }
+    return std::string(command);
+}
+
 }  // namespace
 
 std::string equation_latex(const EquationGroup& group) {
@@ -104,6 +156,48 @@ std::string matrix_latex(const MatrixView& matrix, MatrixStyle style) {
     return more + display(name + "\n" + bracketed(matrix));
 }
 
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) { return text; }
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') { quoted += '"'; }
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+std::string csv_number(double value) {
+    if (std::isnan(value)) { return {}; }
+    char digits[32];
+    const auto [end, error] = std::to_chars(std::begin(digits), std::end(digits), value);
+    return {std::begin(digits), end};
+}
+
+std::string csv_of(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows) {
+    std::string text;
+    const auto add_line = [&](const auto& cells, const auto& cell) {
+        for (std::size_t k = 0; k < cells.size(); ++k) { text += (k > 0 ? "," : "") + cell(cells[k]); }
+        text += '\n';
+    };
+    add_line(columns, csv_cell);
+    for (const std::vector<double>& row : rows) { add_line(row, csv_number); }
+    return text;
+}
+
+std::string csv_of(const SeriesSet& set) {
+    std::string text = csv_cell(set.axis);
+    for (const Series& s : set.series) {
+        text += ',' + csv_cell(s.unit == "-" ? s.name : s.name + " [" + s.unit + "]");
+    }
+    text += '\n';
+    for (std::size_t k = 0; k < set.at.size(); ++k) {
+        text += csv_number(set.at[k]);
+        for (const Series& s : set.series) { text += ',' + csv_number(s.values[k]); }
+        text += '\n';
+    }
+    return text;
+}
+
 std::string matrix_csv(const MatrixView& matrix) {
     std::string text = "belongs to,row";
     for (const MatrixView::Column& column : matrix.columns) {
@@ -118,6 +212,30 @@ std::string matrix_csv(const MatrixView& matrix) {
         text += '\n';
     }
     return text;
+}
+
+std::string latex_text(const std::string& text) {
+    std::string latex;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        if (const Symbol* const escaped = symbol_at(kEscaped, rest)) {
+            latex += escaped->latex;
+            rest.remove_prefix(escaped->utf8.size());
+            continue;
+        }
+        const Symbol* symbol = symbol_at(kSymbols, rest);
+        if (symbol == nullptr) { symbol = symbol_at(kScripts, rest); }
+        if (symbol == nullptr) {
+            latex += rest.front();
+            rest.remove_prefix(1);
+            continue;
+        }
+        // here a prime has no letter before it
+        const bool prime = symbol->utf8 == "′";
+        latex += "$" + (prime ? std::string("{}^{\\prime}") : trimmed(symbol->latex)) + "$";
+        rest.remove_prefix(symbol->utf8.size());
+    }
+    return latex;
 }
 
 }  // namespace jw

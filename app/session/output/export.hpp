@@ -24,6 +24,15 @@ enum class MatrixStyle {
 /// Φq as its own display, with four digits.
 std::string matrix_latex(const MatrixView& matrix, MatrixStyle style);
 
+/// Text of a cell, quoted where needed.
+std::string csv_cell(const std::string& text);
+
+/// Shortest form that reads back as the same double; empty for NaN.
+std::string csv_number(double value);
+
+/// Table with a header and one line per row; each line ends with a line feed.
+std::string csv_of(const std::vector<std::string>& columns, const std::vector<std::vector<double>>& rows);
+
 /// One line per row of Φq: its owner, its label, its entries; columns are named "crank ω′x".
 std::string matrix_csv(const MatrixView& matrix);
 

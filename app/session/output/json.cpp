@@ -6,49 +6,54 @@
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/labels.hpp"
 #include "core/equations/assembler.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 namespace jw {
 
 namespace {
 
-Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
-
-const char* status_name(EquationRow::Status status) {
-    switch (status) {
-        case EquationRow::Status::kept: return "kept";
-        case EquationRow::Status::dropped: return "dropped";
-        case EquationRow::Status::open: return "open";
-        case EquationRow::Status::redundant: break;
-    }
-    return "redundant";
+/// Number of bytes of a control character U+007F to U+009F at `at`; 0 for anything else.
+std::size_t control_at(const std::string& text, std::size_t at) {
+    if (text[at] == '\x7f') { return 1; }
+    if (text[at] != '\xC2' || at + 1 == text.size()) { return 0; }
+    return static_cast<unsigned char>(text[at + 1]) < 0xA0U ? 2 : 0;
 }
 
+std::string escaped_control(char last_byte) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    const auto code = static_cast<unsigned char>(last_byte);
+    return {'\\', 'u', '0', '0', kDigits[code >> 4U], kDigits[code & 15U]};
+}
+
+constexpr std::array kStatuses{
+    EnumWord<EquationRow::Status>{EquationRow::Status::kept, "kept"},
+    EnumWord<EquationRow::Status>{EquationRow::Status::dropped, "dropped"},
+    EnumWord<EquationRow::Status>{EquationRow::Status::open, "open"},
+    EnumWord<EquationRow::Status>{EquationRow::Status::redundant, "redundant"}};
+
 Json json_of(const ChoiceView& choice) {
-    Json conditions = Json::array();
-    for (const double condition : choice.pair_condition) { conditions.push_back(number(condition)); }
     return {
         {"form", choice.form},
         {"dropped", choice.dropped < 0 ? Json() : Json(axis_name(choice.dropped))},
         {"axis_size", choice.axis_size},
-        {"condition_without_xyz", conditions},
+        {"condition_without_xyz", list_of(choice.pair_condition, number)},
         {"condition", number(choice.form_condition)},
         {"reason", choice.reason}};
 }
 
 Json json_of(const EquationGroup& group) {
-    Json rows = Json::array();
-    for (const EquationRow& row : group.rows) {
-        rows.push_back(
-            {{"component", text_or_null(row.component)},
-             {"value", number(row.value)},
-             {"row", row.row < 0 ? Json() : Json(row.row)},
-             {"status", status_name(row.status)}});
-    }
+    const auto row_json = [](const EquationRow& row) -> Json {
+        return {
+            {"component", text_or_null(row.component)},
+            {"value", number(row.value)},
+            {"row", row.row < 0 ? Json() : Json(row.row)},
+            {"status", word_of(kStatuses, row.status)}};
+    };
     return {
         {"primitive", group.primitive},
         {"formula", group.plain},
         {"unit", group.unit},
-        {"rows", rows},
+        {"rows", list_of(group.rows, row_json)},
         {"choice", group.choice ? json_of(*group.choice) : Json()}};
 }
 
@@ -73,7 +78,7 @@ Json json_of(const QuantityMotion& q) {
             {"value", number(q.value)}, {"rate", number(q.rate)}, {"acceleration", number(q.acceleration)}};
 }
 
-Json json_of(const SymbolMeaning& meaning) {
+Json meaning_json(const SymbolMeaning& meaning) {
     return {
         {"owner", text_or_null(meaning.owner)},
         {"symbol", meaning.source},
@@ -85,39 +90,36 @@ Json json_of(const SymbolMeaning& meaning) {
 std::string primitive_in(const std::string& scope) { return scope.substr(scope.find(' ') + 1); }
 
 Json json_of(const SymbolView& symbol) {
-    Json meanings = Json::array();
-    for (const SymbolMeaning& meaning : symbol.meanings) { meanings.push_back(json_of(meaning)); }
     return {
         {"symbol", symbol.source},
         {"of_formula", text_or_null(primitive_in(symbol.scope))},
         {"what", text_or_null(symbol.what)},
         {"unit", text_or_null(symbol.unit)},
         {"defined", text_or_null(symbol.defined)},
-        {"meanings", meanings},
+        {"meanings", list_of(symbol.meanings, meaning_json)},
         {"more", symbol.more}};
 }
 
-template <class T>
-Json list_of(const std::vector<T>& items) {
-    Json list = Json::array();
-    for (const T& item : items) { list.push_back(json_of(item)); }
-    return list;
-}
+constexpr std::array kStepKinds{
+    EnumWord<Step::Kind>{Step::Kind::bodies, "bodies"},
+    EnumWord<Step::Kind>{Step::Kind::equations, "equations"},
+    EnumWord<Step::Kind>{Step::Kind::iteration, "iteration"},
+    EnumWord<Step::Kind>{Step::Kind::assembled, "assembled"},
+    EnumWord<Step::Kind>{Step::Kind::failed, "failed"},
+    EnumWord<Step::Kind>{Step::Kind::question, "question"},
+    EnumWord<Step::Kind>{Step::Kind::answer, "answer"},
+    EnumWord<Step::Kind>{Step::Kind::motion, "motion"}};
 
-const char* word_of(QuestionView::Kind kind) {
-    switch (kind) {
-        case QuestionView::Kind::number: return "number";
-        case QuestionView::Kind::choice: return "choice";
-        case QuestionView::Kind::thing: return "thing";
-        case QuestionView::Kind::pose: break;
-    }
-    return "pose";
-}
+constexpr std::array kQuestionKinds{
+    EnumWord<QuestionView::Kind>{QuestionView::Kind::number, "number"},
+    EnumWord<QuestionView::Kind>{QuestionView::Kind::choice, "choice"},
+    EnumWord<QuestionView::Kind>{QuestionView::Kind::thing, "thing"},
+    EnumWord<QuestionView::Kind>{QuestionView::Kind::pose, "pose"}};
 
 Json json_of(const QuestionView& question) {
     return {
         {"ask", question.ask},
-        {"kind", word_of(question.kind)},
+        {"kind", word_of(kQuestionKinds, question.kind)},
         {"choices", question.choices},
         {"names", question.names},
         {"how", text_or_null(question.how)},
@@ -129,11 +131,9 @@ Json json_of(const QuestionView& question) {
 /// One judgement per text of the free motions.
 Json judgements_of(const RankView& rank, const Mechanism& mechanism) {
     if (!rank.judged_motions) { return {}; }
-    Json list = Json::array();
-    for (const ListedMotion& motion : *rank.judged_motions) {
-        list.push_back(motion.judgement ? json_of(*motion.judgement, mechanism) : Json());
-    }
-    return list;
+    return list_of(*rank.judged_motions, [&](const ListedMotion& motion) {
+        return motion.judgement ? json_of(*motion.judgement, mechanism) : Json();
+    });
 }
 
 /// Verdict on typed digits; null if no digits of the lesson decide the rank.
@@ -145,30 +145,27 @@ Json json_of(const std::optional<TypedVerdict>& typed) {
         {"rank", typed->rank},
         {"misfit", number(typed->misfit)},
         {"share", typed->is_told ? number(typed->share) : Json()},
-        {"short_of_digits", typed->short_of_digits.empty() ? Json() : Json(typed->short_of_digits)}};
+        {"short_of_digits", text_or_null(typed->short_of_digits)}};
 }
 
-const char* word_of(FreedomVerdict verdict) {
-    switch (verdict) {
-        case FreedomVerdict::finite: return "finite";
-        case FreedomVerdict::first_order: return "first order";
-        case FreedomVerdict::cannot_tell: break;
-    }
-    return "cannot tell";
-}
+constexpr std::array kFreedomVerdicts{
+    EnumWord<FreedomVerdict>{FreedomVerdict::finite, "finite"},
+    EnumWord<FreedomVerdict>{FreedomVerdict::first_order, "first order"},
+    EnumWord<FreedomVerdict>{FreedomVerdict::cannot_tell, "cannot tell"}};
 
 Json json_of(const Departure& d, const Mechanism& m) {
     static constexpr std::array kCoordinates{"x", "y", "z", "turn"};
     return {
         {"order", d.order},
         {"coefficient", number(d.coefficient)},
-        {"joint", d.joint >= 0 ? Json(m.joints[static_cast<std::size_t>(d.joint)].name) : Json()},
-        {"driver", d.driver >= 0 ? Json(m.drivers[static_cast<std::size_t>(d.driver)].name) : Json()},
-        {"body", m.bodies[static_cast<std::size_t>(d.body)].name},
-        {"coordinate", kCoordinates[static_cast<std::size_t>(d.direction)]}};
+        {"joint", d.joint >= 0 ? Json(m.joints[at(d.joint)].name) : Json()},
+        {"driver", d.driver >= 0 ? Json(m.drivers[at(d.driver)].name) : Json()},
+        {"body", m.bodies[at(d.body)].name},
+        {"coordinate", kCoordinates[at(d.direction)]}};
 }
 
 Json json_of(const View& view, const Step& step) {
+    const auto any_json = [](const auto& item) { return json_of(item); };
     Json json = {
         {"index", view.step},
         {"kind", kind_name(view.kind)},
@@ -176,8 +173,8 @@ Json json_of(const View& view, const Step& step) {
         {"title", view.title},
         {"sentence", view.sentence},
         {"text", text_or_null(view.author_text)},
-        {"equations", list_of(view.equations)},
-        {"symbols", list_of(view.symbols)},
+        {"equations", list_of(view.equations, any_json)},
+        {"symbols", list_of(view.symbols, any_json)},
         {"rank",
          {{"rows", view.rank.rows},
           {"columns", view.rank.columns},
@@ -200,8 +197,8 @@ Json json_of(const View& view, const Step& step) {
           {"free_motions", view.rank.has_spectrum ? Json(view.rank.free_motions) : Json()},
           {"free_motion_judgements", judgements_of(view.rank, step.system->mechanism())},
           {"typed_digits", json_of(view.rank.typed)}}},
-        {"newton", list_of(view.newton)},
-        {"quantities", list_of(view.quantities)},
+        {"newton", list_of(view.newton, any_json)},
+        {"quantities", list_of(view.quantities, any_json)},
         {"note", text_or_null(view.velocity_note)},
         {"failure", text_or_null(view.failure)},
         {"bodies", json_of(step.system->mechanism(), step.state, step.velocity)}};
@@ -211,36 +208,39 @@ Json json_of(const View& view, const Step& step) {
 
 }  // namespace
 
+std::string json_document(const Json& json, int indent) {
+    const std::string text = json.dump(indent, ' ', false, Json::error_handler_t::replace);
+    std::string shown;
+    shown.reserve(text.size() + 1);
+    // outside of strings, JSON is ASCII without control characters
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const std::size_t bytes = control_at(text, at);
+        if (bytes == 0) {
+            shown += text[at];
+            continue;
+        }
+        at += bytes - 1;
+        shown += escaped_control(text[at]);
+    }
+    return shown + "\n";
+}
+
 Json json_of(const FreedomJudgement& judgement, const Mechanism& mechanism) {
     return {
-        {"verdict", word_of(judgement.verdict)},
+        {"verdict", word_of(kFreedomVerdicts, judgement.verdict)},
         {"motion_beside", judgement.has_motion_beside},
         {"departure", judgement.departure ? json_of(*judgement.departure, mechanism) : Json()}};
 }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-const char* kind_name(Step::Kind kind) {
-    switch (kind) {
-        case Step::Kind::bodies: return "bodies";
-        case Step::Kind::equations: return "equations";
-        case Step::Kind::iteration: return "iteration";
-        case Step::Kind::assembled: return "assembled";
-        case Step::Kind::failed: return "failed";
-        case Step::Kind::question: return "question";
-        case Step::Kind::answer: return "answer";
-        case Step::Kind::motion: break;
-    }
-    return "motion";
-}
+Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+const char* kind_name(Step::Kind kind) { return word_of(kStepKinds, kind); }
 
 Json json_of(const Vec3& v) { return Json::array({number(v.x()), number(v.y()), number(v.z())}); }
 
-Json json_of(const VectorX& v) {
-    Json list = Json::array();
-    for (const double x : v) { list.push_back(number(x)); }
-    return list;
-}
+Json json_of(const VectorX& v) { return list_of(v, number); }
 
 Json json_of(const MatrixX& m) {
     Json list = Json::array();
@@ -271,32 +271,30 @@ Json json_of(const EquationResidual& residual) {
 }
 
 Json json_of(const RankReport& report, const System& system, const FreedomJudgements& judgements) {
-    Json redundant = Json::array();
-    for (const RedundantRow& row : report.redundant_rows) {
-        Json terms = Json::array();
-        for (const RedundantRow::Term& term : row.terms) {
-            terms.push_back(
-                {{"row", term.row},
-                 {"label", row_label(system, term.row)},
-                 {"coefficient", number(term.coefficient)}});
-        }
-        redundant.push_back(
-            {{"row", row.row},
-             {"label", row_label(system, row.row)},
-             {"terms", terms},
-             {"misfit", row.misfit},
-             {"bound", row.bound}});
-    }
+    const auto term_json = [&](const RedundantRow::Term& term) -> Json {
+        return {
+            {"row", term.row},
+            {"label", row_label(system, term.row)},
+            {"coefficient", number(term.coefficient)}};
+    };
+    const auto redundant_json = [&](const RedundantRow& row) -> Json {
+        return {
+            {"row", row.row},
+            {"label", row_label(system, row.row)},
+            {"terms", list_of(row.terms, term_json)},
+            {"misfit", row.misfit},
+            {"bound", row.bound}};
+    };
     Json motions = Json::array();
     for (std::size_t k = 0; k < report.free_motions.size(); ++k) {
         const FreeMotion& motion = report.free_motions[k];
+        const bool is_judged = !judgements.empty() && judgements[k];
         motions.push_back(
             {{"text", free_motion_text(system, motion)},
              {"columns", json_of(VectorX(motion))},
              {"residual", number(report.free_motion_proofs[k].residual)},
-             {"bound", number(report.free_motion_proofs[k].bound)}});
-        const bool is_judged = !judgements.empty() && judgements[k];
-        motions.back()["judgement"] = is_judged ? json_of(*judgements[k], system.mechanism()) : Json();
+             {"bound", number(report.free_motion_proofs[k].bound)},
+             {"judgement", is_judged ? json_of(*judgements[k], system.mechanism()) : Json()}});
     }
     return {
         {"rows", report.rows},
@@ -315,7 +313,7 @@ Json json_of(const RankReport& report, const System& system, const FreedomJudgem
         {"pose_error", number(report.pose_error)},
         {"decided", report.decided},
         {"doubts", doubts_of(system, report)},
-        {"redundant_rows", redundant},
+        {"redundant_rows", list_of(report.redundant_rows, redundant_json)},
         {"free_motions", report.has_spectrum ? motions : Json()},
         {"typed_digits", json_of(report.typed)}};
 }
@@ -323,8 +321,7 @@ Json json_of(const RankReport& report, const System& system, const FreedomJudgem
 Json json_of(const Story& story, int until) {
     Json steps = Json::array();
     for (int k = 0; k <= until; ++k) {
-        steps.push_back(json_of(
-            view_of(story, k, ViewParts::without_matrix), story.steps()[static_cast<std::size_t>(k)]));
+        steps.push_back(json_of(view_of(story, k, ViewParts::without_matrix), story.steps()[at(k)]));
     }
     const Lesson& lesson = story.lesson();
     return {

@@ -31,6 +31,19 @@ Json json_of(const FreedomJudgement& judgement, const Mechanism& mechanism);
 Json json_of(const std::optional<DynamicsView>& dynamics);
 struct RestView;
 Json json_of(const RestView& view, const Lesson& lesson);
+
+// tables over time, as `solve` and `simulate` write them
+struct Sweep;
+enum class Analysis;
+Json json_of(const Sweep& sweep, Analysis analysis, const Lesson& lesson);
+
+struct DynamicsTable;
+Json json_of(const DynamicsTable& table, const Lesson& lesson);
+
+struct ProofRecord;
+/// The proof of a motion: docs/proofs.md describes it, docs/proofs/check_proof.py checks it.
+/// @param system  whose motion was recorded
+Json json_of(const ProofRecord& proof, const System& system, const Lesson& lesson);
 /// Object with `value` and the `bound` that rounding puts on it.
 Json json_of(const EquationResidual& residual);
 /// Bodies with positions and velocities, in the order of the lesson.
@@ -38,6 +51,16 @@ Json json_of(const Mechanism& mechanism, const State& state, const Motion& veloc
 
 /// A number; null if it is not finite.
 Json number(double value);
+/// A text; null if it is empty.
+Json text_or_null(const std::string& text);
+/// Array of what `item_json` makes of each item.
+template <class Items, class ItemJson>
+Json list_of(const Items& items, ItemJson&& item_json) {
+    Json list = Json::array();
+    for (const auto& item : items) { list.push_back(item_json(item)); }
+    return list;
+}
+
 /// Name of a kind in the JSON of steps: "bodies", "equations", ...
 const char* kind_name(Step::Kind kind);
 

@@ -17,9 +17,7 @@ inline Json field(const Vec3& value) { return json_of(value); }
 inline Json field(ScrewAngleForm form) { return word_of(kAngleRows, form); }
 inline Json field(WheelLine line) { return std::string(name_of(line)); }
 inline Json field(const std::vector<std::array<double, 2>>& pairs) {
-    Json all = Json::array();
-    for (const auto& [of_cosine, of_sine] : pairs) { all.push_back({number(of_cosine), number(of_sine)}); }
-    return all;
+    return list_of(pairs, [](const auto& pair) -> Json { return {number(pair[0]), number(pair[1])}; });
 }
 
 /// Step of a formula: a number, or the name of a variable or an operation; a power with its exponent.
@@ -55,13 +53,10 @@ inline Json field(const ScalarFormula& formula) {
     constexpr std::array<const char*, kFormulaVectors> vectors{"s_i",   "s_j",   "u_i",   "u_j",   "d",
                                                                "r_i",   "r_j",   "r_i_P", "r_j_P", "A_i.x",
                                                                "A_i.y", "A_i.z", "A_j.x", "A_j.y", "A_j.z"};
-    Json steps = Json::array();
-    for (const FormulaStep& step : formula.steps) {
-        steps.push_back(step_json(step, [&](int variable) {
-            return std::string(vectors[static_cast<std::size_t>(variable / 3)]) + "." + "xyz"[variable % 3];
-        }));
-    }
-    return steps;
+    const auto name_of_variable = [&](int variable) {
+        return std::string(vectors[at(variable / 3)]) + "." + "xyz"[variable % 3];
+    };
+    return list_of(formula.steps, [&](const FormulaStep& step) { return step_json(step, name_of_variable); });
 }
 
 }  // namespace jw

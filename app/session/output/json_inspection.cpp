@@ -56,47 +56,40 @@ const char* measure_name(const Measure& measure) {
 
 Json constraints_of(const System& system) {
     const Mechanism& mechanism = system.mechanism();
-    Json list = Json::array();
-    for (const Constraint& c : system.constraints()) {
-        const Joint& joint = mechanism.joints[static_cast<std::size_t>(c.joint)];
-        Json entry{
+    return list_of(system.constraints(), [&](const Constraint& c) -> Json {
+        const Joint& joint = mechanism.joints[at(c.joint)];
+        return {
             {"joint", joint.name},
             {"type", joint.type->name},
             {"primitive", name_of_role(c.role, joint.parallel_form)},
             {"formula", equation_text(system, c).plain},
-            {"body_i", mechanism.bodies[static_cast<std::size_t>(c.body_i)].name},
-            {"body_j", mechanism.bodies[static_cast<std::size_t>(c.body_j)].name},
+            {"body_i", mechanism.bodies[at(c.body_i)].name},
+            {"body_j", mechanism.bodies[at(c.body_j)].name},
             {"first_row", c.first_row},
             {"equations", c.equations},
             {"dropped", c.dropped < 0 ? Json() : Json(axis_name(c.dropped))},
-            {"unit", number(c.unit)}};
-        entry["data"] = data_of(c.primitive);
-        list.push_back(std::move(entry));
-    }
-    return list;
+            {"unit", number(c.unit)},
+            {"data", data_of(c.primitive)}};
+    });
 }
 
 Json drivers_of(const System& system, double t) {
     const Mechanism& mechanism = system.mechanism();
-    Json list = Json::array();
-    for (const DriverConstraint& d : system.drivers()) {
-        const Driver& driver = mechanism.drivers[static_cast<std::size_t>(d.driver)];
+    return list_of(system.drivers(), [&](const DriverConstraint& d) -> Json {
+        const Driver& driver = mechanism.drivers[at(d.driver)];
         const TimeFunction::Value target = target_of(driver.measure, driver.function, t);
-        list.push_back(
-            {{"name", driver.name},
-             {"measure", measure_name(driver.measure)},
-             {"body_i", mechanism.bodies[static_cast<std::size_t>(driver.body_i)].name},
-             {"body_j", mechanism.bodies[static_cast<std::size_t>(driver.body_j)].name},
-             {"joint", driver.joint < 0
-                           ? Json()
-                           : Json(mechanism.joints[static_cast<std::size_t>(driver.joint)].name)},
-             {"row", d.row},
-             {"target", number(target.f)},
-             {"target_dot", number(target.f_dot)},
-             {"target_ddot", number(target.f_ddot)},
-             {"data", std::visit(MeasureJson{}, driver.measure)}});
-    }
-    return list;
+        return {
+            {"name", driver.name},
+            {"measure", measure_name(driver.measure)},
+            {"body_i", mechanism.bodies[at(driver.body_i)].name},
+            {"body_j", mechanism.bodies[at(driver.body_j)].name},
+            {"joint", driver.joint < 0 ? Json() : Json(mechanism.joints[at(driver.joint)].name)},
+            {"row", d.row},
+            {"target", number(target.f)},
+            {"target_dot", number(target.f_dot)},
+            {"target_ddot", number(target.f_ddot)},
+            {"data", std::visit(MeasureJson{}, driver.measure)}};
+    });
 }
 
 Json choices_of(const System& system, const State& state) {
@@ -106,16 +99,14 @@ Json choices_of(const System& system, const State& state) {
         if (!is_parallel(c.role)) { continue; }
         const RowChoice choice = explain_choice(system, static_cast<int>(k), state, -1);
         const ChoiceView view = choice_view_of(choice);
-        Json conditions = Json::array();
-        for (const double condition : choice.pair_condition) { conditions.push_back(number(condition)); }
-        const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(c.joint)];
+        const Joint& joint = system.mechanism().joints[at(c.joint)];
         list.push_back(
             {{"joint", joint.name},
              {"primitive", name_of_role(c.role, joint.parallel_form)},
              {"form", view.form},
              {"dropped", c.dropped < 0 ? Json() : Json(axis_name(c.dropped))},
              {"s_i", json_of(choice.s_i)},
-             {"condition_without_xyz", conditions},
+             {"condition_without_xyz", list_of(choice.pair_condition, number)},
              {"condition", number(choice.form_condition)},
              {"reason", view.reason}});
     }
@@ -126,17 +117,13 @@ Json rows_of(const Inspection& inspection) {
     const System& system = *inspection.system;
     Json list = Json::array();
     for (int row = 0; row < static_cast<int>(inspection.phi.size()); ++row) {
-        const RowOrigin origin = system.origin(row);
-        Json component;
-        if (origin.kind == RowOrigin::Kind::constraint) {
-            const std::string name = component_name(
-                system.constraints()[static_cast<std::size_t>(origin.index)], origin.component);
-            if (!name.empty()) { component = name; }
-        }
+        const Constraint* const c = constraint_of(system, row);
+        const std::string component =
+            c != nullptr ? component_name(*c, system.origin(row).component) : std::string();
         list.push_back(
             {{"label", row_label(system, row)},
              {"owner", row_owner(system, row)},
-             {"component", component},
+             {"component", text_or_null(component)},
              {"phi", number(inspection.phi(row))},
              {"nu", number(inspection.nu(row))},
              {"gamma", number(inspection.gamma(row))}});
@@ -147,16 +134,14 @@ Json rows_of(const Inspection& inspection) {
 Json thetas_of(const System& system, const State& state, const Motion& velocity) {
     const Mechanism& mechanism = system.mechanism();
     const std::vector<int> thetas = mechanism.theta_indices();
-    Json list = Json::array();
-    for (const int active : system.active_thetas()) {
-        const auto theta = static_cast<std::size_t>(active);
-        const auto k = static_cast<std::size_t>(std::ranges::find(thetas, active) - thetas.begin());
-        list.push_back(
-            {{"joint", mechanism.joints[k].name},
-             {"theta", number(state.theta[theta])},
-             {"theta_dot", number(velocity.theta_dot[theta])}});
-    }
-    return list;
+    return list_of(system.active_thetas(), [&](int active) -> Json {
+        const auto theta = at(active);
+        const auto k = at(std::ranges::find(thetas, active) - thetas.begin());
+        return {
+            {"joint", mechanism.joints[k].name},
+            {"theta", number(state.theta[theta])},
+            {"theta_dot", number(velocity.theta_dot[theta])}};
+    });
 }
 
 /// Φq with all of its zeros; for large systems only the nonzero entries, as three lists.
@@ -186,14 +171,50 @@ Json jacobian_of(const Inspection& inspection) {
         {"value", std::move(value)}};
 }
 
+Json body_json(const DynamicsView::Body& body) {
+    return {
+        {"name", body.name},
+        {"mass", number(body.mass)},
+        {"J_local", json_of(MatrixX(body.J_local))},
+        {"f", json_of(body.f)},
+        {"n_local", json_of(body.n_local)},
+        {"r_ddot", json_of(body.r_ddot)},
+        {"omega_local_dot", json_of(body.omega_local_dot)}};
+}
+
+Json multiplier_json(const DynamicsView::Multiplier& multiplier) {
+    return {
+        {"owner", multiplier.owner},
+        {"row", multiplier.row},
+        {"lambda", number(multiplier.lambda)},
+        {"left_out", multiplier.left_out}};
+}
+
 }  // namespace
+
+Json json_of(const std::optional<DynamicsView>& dynamics) {
+    if (!dynamics) { return {}; }
+    return {
+        {"bodies", list_of(dynamics->bodies, body_json)},
+        {"multipliers", list_of(dynamics->multipliers, multiplier_json)},
+        {"M", json_of(dynamics->M)},
+        {"jacobian", json_of(dynamics->jacobian)},
+        {"Q", json_of(dynamics->Q)},
+        {"acceleration", json_of(dynamics->acceleration)},
+        {"lambda", json_of(dynamics->lambda)},
+        {"gamma", json_of(dynamics->gamma)},
+        {"residual", number(dynamics->residual)},
+        {"kinetic_energy", number(dynamics->energy.kinetic)},
+        {"potential_energy", number(dynamics->energy.potential)},
+        {"momentum", json_of(dynamics->momentum)},
+        {"angular_momentum", json_of(dynamics->angular_momentum)}};
+}
 
 Json json_of(const Inspection& inspection, const Lesson& lesson) {
     const System& system = *inspection.system;
-    Json columns = Json::array();
-    for (const ColumnName& name : column_names(system, inspection.choice)) {
-        columns.push_back({{"owner", name.owner}, {"coordinate", name.coordinate}});
-    }
+    const auto column_json = [](const ColumnName& name) -> Json {
+        return {{"owner", name.owner}, {"coordinate", name.coordinate}};
+    };
     return {
         {"format", "jointwise inspect"},
         {"version", kJsonVersion},
@@ -208,7 +229,7 @@ Json json_of(const Inspection& inspection, const Lesson& lesson) {
         {"constraints", constraints_of(system)},
         {"drivers", drivers_of(system, inspection.t)},
         {"rows", rows_of(inspection)},
-        {"columns", columns},
+        {"columns", list_of(column_names(system, inspection.choice), column_json)},
         {"phi", json_of(inspection.phi)},
         {"jacobian", jacobian_of(inspection)},
         {"nu", json_of(inspection.nu)},

@@ -1,8 +1,7 @@
-#include "app/session/output/json_proof.hpp"
-
 #include <algorithm>
 
 #include "app/session/output/json_fields.hpp"
+#include "core/kinematics/proof/proof_record.hpp"
 
 namespace jw {
 
@@ -22,11 +21,16 @@ const char* word_of(NoProof reason) {
 Json list(const VectorX& numbers) { return jw::json_of(numbers); }
 
 Json json_of(const TimeFunction& function) {
-    Json harmonics = Json::array();
-    for (const auto& h : function.harmonics) { harmonics.push_back({h.amplitude, h.omega, h.phase}); }
-    Json steps = Json::array();
-    for (const auto& s : function.steps) { steps.push_back({s.from, s.to, s.start, s.end}); }
-    Json json{{"polynomial", function.polynomial}, {"harmonics", harmonics}, {"smooth_steps", steps}};
+    Json json{
+        {"polynomial", function.polynomial},
+        {"harmonics", list_of(
+                          function.harmonics,
+                          [](const auto& h) -> Json {
+                              return {h.amplitude, h.omega, h.phase};
+                          })},
+        {"smooth_steps", list_of(function.steps, [](const auto& s) -> Json {
+             return {s.from, s.to, s.start, s.end};
+         })}};
     if (function.table) {
         const TimeTable& table = *function.table;
         Json pieces = Json::array();
@@ -36,11 +40,11 @@ Json json_of(const TimeFunction& function) {
         json["table"] = {{"times", table.times}, {"pieces", pieces}};
     }
     if (function.formula) {
-        Json operations = Json::array();
-        for (const FormulaStep& step : function.formula->formula.steps) {
-            operations.push_back(step_json(step, [](int) { return "t"; }));
-        }
-        json["formula"] = {{"unit", function.formula->unit}, {"steps", operations}};
+        const auto operation = [](const FormulaStep& step) {
+            return step_json(step, [](int) { return "t"; });
+        };
+        const auto& steps = function.formula->formula.steps;
+        json["formula"] = {{"unit", function.formula->unit}, {"steps", list_of(steps, operation)}};
     }
     return json;
 }
@@ -137,44 +141,33 @@ Json equations_of(const ProofRecord& proof, const System& system) {
     return all;
 }
 
-Json json_of(const std::vector<ProofRow>& rows) {
-    Json all = Json::array();
-    for (const ProofRow& row : rows) { all.push_back({row.equation, row.component}); }
-    return all;
-}
+Json row_json(const ProofRow& row) { return {row.equation, row.component}; }
 
 Json json_of(const StepRecord& step, std::size_t from, const Json& coordinates) {
-    Json parts = Json::array();
-    for (const PartRecord& part : step.parts) {
-        Json names = Json::array();
-        for (const int k : part.unknowns) { names.push_back(coordinates[at(k)][0]); }
+    const auto part_json = [&](const PartRecord& part) {
         Json one{
-            {"coordinates", names},
-            {"rows", json_of(part.rows)},
+            {"coordinates", list_of(part.unknowns, [&](int k) { return coordinates[at(k)][0]; })},
+            {"rows", list_of(part.rows, row_json)},
             {"rho", list(part.radius)},
             {"M", jw::json_of(part.inverse)}};
         if (part.kept.rows() > 0) { one["kept"] = jw::json_of(part.kept); }
-        parts.push_back(std::move(one));
-    }
-    Json all{{"from", from}, {"to", from + 1}, {"parts", parts}};
+        return one;
+    };
+    Json all{{"from", from}, {"to", from + 1}, {"parts", list_of(step.parts, part_json)}};
     if (step.reason != NoProof::none) { all["not_proved"] = word_of(step.reason); }
     return all;
 }
 
 Json json_of(const RankRecord& rank) {
     if (rank.rows.empty()) { return {}; }
-    Json repeated = Json::array();
-    for (const RankRecord::Repeated& r : rank.repeated) {
-        repeated.push_back(
-            {{"row", {r.row.equation, r.row.component}},
-             {"combination", list(r.combination)},
-             {"misfit", r.misfit}});
-    }
+    const auto repeated_json = [](const RankRecord::Repeated& r) -> Json {
+        return {{"row", row_json(r.row)}, {"combination", list(r.combination)}, {"misfit", r.misfit}};
+    };
     return {
-        {"rows", json_of(rank.rows)},
+        {"rows", list_of(rank.rows, row_json)},
         {"columns", rank.columns},
         {"inverse", jw::json_of(rank.inverse)},
-        {"repeated", repeated}};
+        {"repeated", list_of(rank.repeated, repeated_json)}};
 }
 
 }  // namespace
@@ -194,10 +187,9 @@ Json json_of(const ProofRecord& proof, const System& system, const Lesson& lesso
         fixed["r of " + mechanism.bodies[b].name] = list(proof.fixed.r[b]);
         fixed["p of " + mechanism.bodies[b].name] = list(proof.fixed.p[b]);
     }
-    Json poses = Json::array();
-    for (const PoseRecord& pose : proof.poses) {
-        poses.push_back({{"t", pose.t}, {"x", list(pose.x)}, {"x_dot", list(pose.x_dot)}});
-    }
+    const auto pose_json = [](const PoseRecord& pose) -> Json {
+        return {{"t", pose.t}, {"x", list(pose.x)}, {"x_dot", list(pose.x_dot)}};
+    };
     Json steps = Json::array();
     for (const StepRecord& step : proof.steps) { steps.push_back(json_of(step, steps.size(), coordinates)); }
     return {
@@ -208,7 +200,7 @@ Json json_of(const ProofRecord& proof, const System& system, const Lesson& lesso
         {"fixed", fixed},
         {"equations", equations_of(proof, system)},
         {"rank", json_of(proof.rank)},
-        {"poses", poses},
+        {"poses", list_of(proof.poses, pose_json)},
         {"steps", steps}};
 }
 

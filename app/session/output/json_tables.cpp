@@ -1,10 +1,11 @@
-#include "app/session/output/json_tables.hpp"
+#include "app/session/output/json.hpp"
+#include "app/session/story/dynamics_run.hpp"
+#include "app/session/view/solution.hpp"
 
 namespace jw {
 
 Json json_of(const Sweep& sweep, Analysis analysis, const Lesson& lesson) {
-    Json rows = Json::array();
-    for (const SweepRow& row : sweep.rows) {
+    const auto row_json = [&](const SweepRow& row) {
         Json entry{
             {"values", row.values},
             {"unique", row.unique},
@@ -15,16 +16,16 @@ Json json_of(const Sweep& sweep, Analysis analysis, const Lesson& lesson) {
         if (analysis == Analysis::acceleration) {
             entry["acceleration_residual"] = json_of(row.residuals.acceleration);
         }
-        rows.push_back(std::move(entry));
-    }
+        return entry;
+    };
     return {
         {"format", "jointwise solve"},
         {"version", kJsonVersion},
         {"lesson", {{"file", lesson.file_name}, {"title", lesson.title}}},
         {"analysis", word_of(kAnalyses, analysis)},
         {"columns", sweep.columns},
-        {"rows", rows},
-        {"failure", sweep.failure.empty() ? Json() : Json(sweep.failure)}};
+        {"rows", list_of(sweep.rows, row_json)},
+        {"failure", text_or_null(sweep.failure)}};
 }
 
 Json json_of(const DynamicsTable& table, const Lesson& lesson) {
@@ -47,12 +48,12 @@ Json json_of(const DynamicsTable& table, const Lesson& lesson) {
          {{"forces", table.outcome.residual.forces},
           {"constraint_accelerations", table.outcome.residual.constraints}}},
         {"not_unique", table.not_unique},
-        {"pace_note", table.pace_note.empty() ? Json() : Json(table.pace_note)},
+        {"pace_note", text_or_null(table.pace_note)},
         {"reaction_residual", table.reaction_residual ? number(*table.reaction_residual) : Json()},
         {"reaction_bound", table.reaction_residual ? number(table.reaction_bound) : Json()},
-        {"start_note", table.start_note.empty() ? Json() : Json(table.start_note)},
-        {"fit_note", table.fit_note.empty() ? Json() : Json(table.fit_note)},
-        {"failure", table.failure.empty() ? Json() : Json(table.failure)}};
+        {"start_note", text_or_null(table.start_note)},
+        {"fit_note", text_or_null(table.fit_note)},
+        {"failure", text_or_null(table.failure)}};
 }
 
 }  // namespace jw

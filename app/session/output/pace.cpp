@@ -4,7 +4,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "app/session/wording/character_classes.hpp"
+#include "app/session/wording/text_width.hpp"
 #include "lessons/math/text_parts.hpp"
 
 namespace jw {

@@ -4,6 +4,7 @@
 
 #include "app/session/answers/question_view.hpp"
 #include "app/session/picture/picture_parts.hpp"
+#include "app/session/wording/labels.hpp"
 
 namespace jw {
 
@@ -30,20 +31,19 @@ std::vector<int> subject_joints(const Story& story, const Step& step) {
     if (const int asked = joint_asked_about(story.lesson(), step); asked >= 0) { return {asked}; }
     if (!subject) { return {}; }
     if (subject->kind == Addition::Kind::joint) { return {subject->index}; }
-    const int along = story.lesson().mechanism.drivers[static_cast<std::size_t>(subject->index)].joint;
+    const int along = story.lesson().mechanism.drivers[at(subject->index)].joint;
     return along < 0 ? std::vector<int>{} : std::vector<int>{along};
 }
 
-bool contains(const std::vector<int>& joints, int joint) {
+bool is_among(const std::vector<int>& joints, int joint) {
     return std::ranges::find(joints, joint) != joints.end();
 }
 
 /// The joint whose equation could not be closed, -1 if there is none.
 int failing_joint(const Step& step) {
     if (!step.failure) { return -1; }
-    const RowOrigin origin = step.system->origin(step.failure->row);
-    if (origin.kind != RowOrigin::Kind::constraint) { return -1; }
-    return step.system->constraints()[static_cast<std::size_t>(origin.index)].joint;
+    const Constraint* const c = constraint_of(*step.system, step.failure->row);
+    return c == nullptr ? -1 : c->joint;
 }
 
 /// Sets the ids of all entries from `first` on to that of `link`.
@@ -64,9 +64,9 @@ void add_mechanism(
     for (const int j : step.system->selection().joints) {
         const Joint& joint = lesson.mechanism.joints[at(j)];
         const bool stands = !bodies.contains(joint.body_i) && !bodies.contains(joint.body_j);
-        if (stands && !contains(highlighted, j)) { continue; }
+        if (stands && !is_among(highlighted, j)) { continue; }
         const std::size_t first = scene.shapes.size();
-        add_joint(lesson, style, placed(lesson.mechanism, j, step.state), contains(highlighted, j), scene);
+        add_joint(lesson, style, placed(lesson.mechanism, j, step.state), is_among(highlighted, j), scene);
         name_from(scene.shapes, first, Pointable::joint(j));
     }
 }
@@ -98,25 +98,11 @@ void add_named_vectors(
     }
 }
 
-/// Keeps only one of the names of a vector that two joints share and that is fixed in the same body.
-void leave_out_repeated_names(const PictureStyle& style, Picture& picture) {
-    std::vector<Annotation>& names = picture.annotations;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        const Annotation first = names[k];
-        const auto repeats = [&](const Annotation& name) {
-            return name.text == first.text && name.link.kind == Pointable::Kind::vector &&
-                   (name.at - first.at).norm() < kOneName * style.unit;
-        };
-        const auto rest = names.begin() + static_cast<std::ptrdiff_t>(k) + 1;
-        names.erase(std::remove_if(rest, names.end(), repeats), names.end());
-    }
-}
-
 void add_triads(
     const Lesson& lesson, const PictureStyle& style, const Step& step, const std::vector<int>& joints,
     const BodyChoice& bodies, render::Scene& scene) {
     const auto joins = [&](int joint, int body) {
-        const Joint& subject = lesson.mechanism.joints[static_cast<std::size_t>(joint)];
+        const Joint& subject = lesson.mechanism.joints[at(joint)];
         return subject.body_i == body || subject.body_j == body;
     };
     const BodyFrame ground = frame_of(step.state, 0);
@@ -141,7 +127,7 @@ void add_names(
     Picture& picture) {
     for (int b = 0; b < bodies_count(lesson); ++b) {
         if (!bodies.contains(b)) { continue; }
-        const auto k = static_cast<std::size_t>(b);
+        const auto k = at(b);
         if (lesson.mechanism.bodies[k].fixed && lesson.looks[k].shapes.empty()) { continue; }
         Annotation name;
         name.at = middle_of_body(style, step.state, b);
@@ -158,11 +144,9 @@ void add_ghosts(
     const Story& story, const PictureStyle& style, int index, const BodyChoice& bodies,
     render::Scene& scene) {
     int start = index;
-    while (start > 0 && story.steps()[static_cast<std::size_t>(start)].kind != Step::Kind::equations) {
-        --start;
-    }
-    const State& before = story.steps()[static_cast<std::size_t>(start)].state;
-    const State& now = story.steps()[static_cast<std::size_t>(index)].state;
+    while (start > 0 && story.steps()[at(start)].kind != Step::Kind::equations) { --start; }
+    const State& before = story.steps()[at(start)].state;
+    const State& now = story.steps()[at(index)].state;
     for (int b = 0; b < bodies_count(story.lesson()); ++b) {
         if (!bodies.contains(b)) { continue; }
         const BodyFrame from = frame_of(before, b);
@@ -183,11 +167,11 @@ void add_path(const Story& story, const PictureStyle& style, int index, render::
     };
     if (story.curve().empty()) {
         for (int k = 0; k <= index; ++k) {
-            const Step& step = story.steps()[static_cast<std::size_t>(k)];
+            const Step& step = story.steps()[at(k)];
             if (step.kind == Step::Kind::motion) { add(step); }
         }
     } else {
-        const double now = story.steps()[static_cast<std::size_t>(index)].t;
+        const double now = story.steps()[at(index)].t;
         for (const Step& moment : story.curve()) {
             if (moment.t <= now) { add(moment); }
         }
@@ -213,9 +197,13 @@ Picture compose(
         add_driver(lesson, style, step.state, subject->index, picture);
     } else {
         for (const int joint : joints) { add_named_vectors(lesson, style, step.state, joint, picture); }
-        leave_out_repeated_names(style, picture);
+        // a vector that two joints share and that is fixed in the same body has one name
+        leave_out_repeated(picture.annotations, [&](const Annotation& first, const Annotation& name) {
+            return name.text == first.text && name.link.kind == Pointable::Kind::vector &&
+                   (name.at - first.at).norm() < kOneName * style.unit;
+        });
     }
-    if (const int failing = failing_joint(step); failing >= 0 && !contains(joints, failing)) {
+    if (const int failing = failing_joint(step); failing >= 0 && !is_among(joints, failing)) {
         add_gap(style, placed(lesson.mechanism, failing, step.state), picture);
     }
     // between bodies that are still apart, springs would only hide other things
@@ -236,7 +224,7 @@ void add_ghosts(
     for (std::size_t k = 0; k < poses.size(); ++k) {
         const float part = static_cast<float>(k + 1) / static_cast<float>(poses.size());
         for (int b = 0; b < static_cast<int>(lesson.mechanism.bodies.size()); ++b) {
-            if (lesson.mechanism.bodies[static_cast<std::size_t>(b)].fixed) { continue; }
+            if (lesson.mechanism.bodies[at(b)].fixed) { continue; }
             picture::add_body(
                 lesson, style, poses[k], b, palest + part * (strongest - palest), picture.scene);
         }
@@ -254,7 +242,7 @@ void light_up(Picture& picture, const Emphasis& lit) {
 }
 
 Picture picture_of(const Story& story, const PictureStyle& style, int index) {
-    return picture_of(story, style, story.steps()[static_cast<std::size_t>(index)], index);
+    return picture_of(story, style, story.steps()[at(index)], index);
 }
 
 Picture picture_of(const Story& story, const PictureStyle& style, const Step& step, int index) {

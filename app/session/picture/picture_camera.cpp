@@ -1,4 +1,4 @@
-#include "app/session/picture/picture_camera.hpp"
+#include "app/session/picture/picture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,10 +26,9 @@ struct Axes {
 };
 
 Axes axes_of(const Story& story) {
-    const State& state = story.steps()[static_cast<std::size_t>(story.last_assembled())].state;
+    const State& state = story.steps()[at(story.last_assembled())].state;
     const auto direction = [&](int body, const Vec3& s_local) {
-        return Vec3(
-            rotation_matrix(state.p[static_cast<std::size_t>(body)].normalized()) * s_local.normalized());
+        return Vec3(rotation_matrix(state.p[at(body)].normalized()) * s_local.normalized());
     };
     Axes axes;
     for (const Joint& joint : story.lesson().mechanism.joints) {

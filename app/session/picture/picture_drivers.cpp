@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "app/session/picture/picture_parts.hpp"
-#include "app/session/picture/picture_shapes.hpp"
+#include "app/session/wording/labels.hpp"
 #include "core/elementary/elementary.hpp"
 #include "core/numerics/variants.hpp"
 
@@ -37,7 +37,7 @@ Circle circle_in_sight(const PictureStyle& style, const PlacedJoint& j, const St
     constexpr int samples = 16;
     constexpr int places = 8;
     const Solid solid(style, state, j.joint->body_i, j.joint->body_j);
-    const double side = style.joints[static_cast<std::size_t>(j.index)].side;
+    const double side = style.joints[at(j.index)].side;
     Circle best{
         j.P_i, j.u_i, j.s_i.cross(j.u_i),
         std::clamp(side + 0.06 * style.unit, 0.14 * style.unit, 0.25 * style.unit)};
@@ -92,17 +92,15 @@ void add_angle(
 
 /// Adds the displacement of a joint beside its bar.
 void add_displacement(const PictureStyle& style, const PlacedJoint& j, Picture& picture) {
-    const double aside = style.joints[static_cast<std::size_t>(j.index)].aside_i + 0.03 * style.unit;
+    const double aside = style.joints[at(j.index)].aside_i + 0.03 * style.unit;
     const Vec3 from = j.P_i + aside * beside(style, j.s_i);
     add_distance(style, from, from + j.displacement() * j.s_i, "d", picture);
 }
 
-constexpr const char* kCoordinates[] = {"x", "y", "z"};
-
 void add_coordinate(const PictureStyle& style, const Vec3& r, int coordinate, Picture& picture) {
     Vec3 foot = r;
     foot(coordinate) = 0.0;
-    add_distance(style, foot, r, kCoordinates[coordinate], picture);
+    add_distance(style, foot, r, axis_name(coordinate), picture);
 }
 
 }  // namespace
@@ -110,8 +108,8 @@ void add_coordinate(const PictureStyle& style, const Vec3& r, int coordinate, Pi
 void add_driver(
     const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture) {
     const Mechanism& mechanism = lesson.mechanism;
-    const Driver& d = mechanism.drivers[static_cast<std::size_t>(driver)];
-    const auto k = static_cast<std::size_t>(d.joint);  // only if the measure belongs to a joint
+    const Driver& d = mechanism.drivers[at(driver)];
+    const auto k = at(d.joint);  // only if the measure belongs to a joint
     const BodyFrame i = frame_of(state, d.body_i);
     const BodyFrame j = frame_of(state, d.body_j);
     std::visit(
@@ -121,7 +119,7 @@ void add_driver(
                 add_angle(style, placed(mechanism, d.joint, state), state, angle, picture);
             },
             [&](const ThetaMeasure&) {
-                const auto theta = static_cast<std::size_t>(mechanism.theta_indices()[k]);
+                const auto theta = at(mechanism.theta_indices()[k]);
                 add_angle(style, placed(mechanism, d.joint, state), state, state.theta[theta], picture);
             },
             [&](const DisplacementMeasure&) {

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "app/session/picture/picture_parts.hpp"
-#include "app/session/picture/picture_shapes.hpp"
 #include "core/numerics/variants.hpp"
 
 namespace jw::picture {
@@ -74,12 +73,10 @@ private:
     void tube(const Vec3& centre, const Vec3& axis, double half, const render::Colour& colour) {
         add(render::Tube{centre - half * axis, centre + half * axis, 1.9 * g_, 1.12 * g_}, colour);
     }
-    bool has_own_shapes(int body) const {
-        return !lesson_->looks[static_cast<std::size_t>(body)].shapes.empty();
-    }
+    bool has_own_shapes(int body) const { return !lesson_->looks[at(body)].shapes.empty(); }
     /// The part of the line through P_i along s_i that body j ever covers, and a bit more: fixed in body i.
     std::pair<Vec3, Vec3> travel(double beyond) const {
-        const JointStyle& range = style_->joints[static_cast<std::size_t>(j_.index)];
+        const JointStyle& range = style_->joints[at(j_.index)];
         return {j_.P_i + (range.lowest - beyond) * j_.s_i, j_.P_i + (range.highest + beyond) * j_.s_i};
     }
     /// Ends of the guide; if the lesson draws body i, and so the guide, only those of a short part at body j.
@@ -91,7 +88,7 @@ private:
     /// Direction from a point of the joint towards the body that it belongs to; zero if the body surrounds
     /// the point.
     Vec3 towards_body(int body, const Vec3& P, const BodyFrame& frame) const {
-        const Vec3 way = frame.point(centre_of(style_->bodies[static_cast<std::size_t>(body)])) - P;
+        const Vec3 way = frame.point(centre_of(style_->bodies[at(body)])) - P;
         return way.norm() > 0.1 * g_ ? Vec3(way.normalized()) : Vec3::Zero();
     }
 
@@ -185,7 +182,7 @@ private:
     }
     void bead_on_curve() {
         const Curve& curve = j_.joint->geometry.curve;
-        const JointStyle& range = style_->joints[static_cast<std::size_t>(j_.index)];
+        const JointStyle& range = style_->joints[at(j_.index)];
         const double from = curve.is_closed() ? 0.0 : range.lowest - 0.5;
         const double to = curve.is_closed() ? kWholeTurn : range.highest + 0.5;
         const int parts = std::clamp(
@@ -204,7 +201,7 @@ private:
         // the lesson has drawn the plane already
         if (has_own_shapes(j_.joint->body_i)) { return; }
         const render::Colour colour = render::with_alpha(colour_i_, 0.5F);
-        const double half = style_->joints[static_cast<std::size_t>(j_.index)].farthest + 4.0 * g_;
+        const double half = style_->joints[at(j_.index)].farthest + 4.0 * g_;
         add(render::Box{{axes_with_z(j_.s_i, j_.frame_i.A.col(0)), j_.P_i}, {half, half, 0.2 * g_}}, colour);
     }
 
@@ -245,9 +242,7 @@ Shaft shaft_of(const Lesson& lesson, int body, const BodyFrame& frame, const Vec
         [](const Sphere&) {},
         [&](const Rod& r) { consider(r.from, r.to, r.radius); },
     };
-    for (const Shape& shape : lesson.looks[static_cast<std::size_t>(body)].shapes) {
-        std::visit(look_at, shape);
-    }
+    for (const Shape& shape : lesson.looks[at(body)].shapes) { std::visit(look_at, shape); }
     return best;
 }
 
@@ -280,7 +275,7 @@ void Glyph::thread() {
 }  // namespace
 
 PlacedJoint placed(const Mechanism& mechanism, int index, const State& state) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+    const Joint& joint = mechanism.joints[at(index)];
     const BodyFrame i = frame_of(state, joint.body_i);
     const BodyFrame j = frame_of(state, joint.body_j);
     const JointGeometry& g = joint.geometry;

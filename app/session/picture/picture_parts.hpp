@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <numbers>
 #include <utility>
@@ -82,6 +83,17 @@ void add_gap(const PictureStyle& style, const PlacedJoint& joint, Picture& pictu
 void add_driver(
     const Lesson& lesson, const PictureStyle& style, const State& state, int driver, Picture& picture);
 
+/// Keeps the first of all names that `repeats(first, name)` says mean the same.
+template <class Repeats>
+void leave_out_repeated(std::vector<Annotation>& names, Repeats&& repeats) {
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const Annotation first = names[k];
+        const auto rest = names.begin() + static_cast<std::ptrdiff_t>(k) + 1;
+        const auto is_repeated = [&](const Annotation& name) { return repeats(first, name); };
+        names.erase(std::remove_if(rest, names.end(), is_repeated), names.end());
+    }
+}
+
 /// A vector with its name at the tip.
 void add_vector(
     const PictureStyle& style, const Vec3& from, const Vec3& to, const render::Colour& colour,
@@ -100,12 +112,44 @@ void set_reaction_scales(const Story& story, PictureStyle& style);
 /// Adds the reactions of joints and drivers on their second bodies, in dynamics.
 void add_reactions(const PictureStyle& style, const Reactions& reactions, Picture& picture);
 
+/// Shapes of the lesson; for a body that has none, rods between its joints, or small stands under them if it
+/// is fixed. @param unit see PictureStyle
+std::vector<Shape> local_shapes(const Lesson& lesson, int body, double unit, const Vec3& up);
+
+Vec3 centre_of(const Shape& shape);
+Vec3 centre_of(const std::vector<Shape>& shapes);
+
+/// The shapes of two bodies at a pose.
+class Solid {
+public:
+    Solid(const PictureStyle& style, const State& state, int body_i, int body_j);
+
+    bool contains(const Vec3& point) const;
+    /// Distance from `from` to where a ray in `direction` leaves the shapes, at most `limit` [m]; 0 if `from`
+    /// is outside.
+    double reach(const Vec3& from, const Vec3& direction, double limit) const;
+    /// Distance beside the line from `from` to `to` at which a vector is no longer hidden; 0 if most of it
+    /// shows anyway, at most `limit`.
+    double clearance(const Vec3& from, const Vec3& to, double limit) const;
+
+private:
+    /// Distance from a hidden point of a line that leads out of the shapes in most directions across the
+    /// line.
+    double way_out(const Vec3& at, const Vec3& line, double limit) const;
+
+    struct Part {
+        BodyFrame frame;
+        const std::vector<Shape>* shapes;
+    };
+    std::vector<Part> parts_;
+};
+
 /// Some bodies of a mechanism; by default all of them.
 class BodyChoice {
 public:
     BodyChoice() = default;
     explicit BodyChoice(std::vector<bool> chosen) : chosen_(std::move(chosen)) {}
-    bool contains(int body) const { return chosen_.empty() || chosen_[static_cast<std::size_t>(body)]; }
+    bool contains(int body) const { return chosen_.empty() || chosen_[at(body)]; }
 
 private:
     std::vector<bool> chosen_;

@@ -18,7 +18,7 @@ constexpr float kOneOfMany = 0.35F;
 Vec3 unique_part(const Vec3& vector, const Mat3& axes, const std::array<bool, 3>& unique) {
     Vec3 part = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {
-        if (unique[static_cast<std::size_t>(k)]) { part += axes.col(k) * axes.col(k).dot(vector); }
+        if (unique[at(k)]) { part += axes.col(k) * axes.col(k).dot(vector); }
     }
     return part;
 }

@@ -2,9 +2,8 @@
 #include <limits>
 #include <utility>
 
-#include "app/session/picture/picture_camera.hpp"
+#include "app/session/picture/picture.hpp"
 #include "app/session/picture/picture_parts.hpp"
-#include "app/session/picture/picture_shapes.hpp"
 
 namespace jw {
 
@@ -145,8 +144,7 @@ JointStyle joint_style(
     const int theta = mechanism.theta_indices()[at(joint)];
     const auto reach = [&](const State& pose) {
         const PlacedJoint now = placed(mechanism, joint, pose);
-        const double d =
-            j.joint->type->has_curve() ? pose.theta[static_cast<std::size_t>(theta)] : now.displacement();
+        const double d = j.joint->type->has_curve() ? pose.theta[at(theta)] : now.displacement();
         found.lowest = std::min(found.lowest, d);
         found.highest = std::max(found.highest, d);
         found.farthest = std::max(found.farthest, (now.P_j - now.P_i - d * now.s_i).norm());
@@ -188,7 +186,7 @@ void set_traced_point(const Story& story, PictureStyle& style) {
     const Mechanism& mechanism = story.lesson().mechanism;
     double longest = 1e-3 * style.unit;  // less would be a dot
     const auto consider = [&](int body, const Vec3& s_local) {
-        if (mechanism.bodies[static_cast<std::size_t>(body)].fixed) { return; }
+        if (mechanism.bodies[at(body)].fixed) { return; }
         double length = 0.0;
         const Step* last = nullptr;
         for (const Step& step : story.steps()) {

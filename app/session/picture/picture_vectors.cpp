@@ -37,7 +37,7 @@ class Vectors {
 public:
     Vectors(const PictureStyle& style, const PlacedJoint& joint, Picture& picture)
         : j_(joint),
-          joint_style_(style.joints[static_cast<std::size_t>(joint.index)]),
+          joint_style_(style.joints[at(joint.index)]),
           style_(style),
           unit_(style.unit),
           picture_(&picture) {}

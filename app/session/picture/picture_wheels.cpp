@@ -162,7 +162,7 @@ public:
             const PlacedJoint joint = placed(mechanism, k, state);
             const auto pair = toothed_wheels(joint);
             if (!pair) { continue; }
-            const WheelStyle& wheels = style.joints[static_cast<std::size_t>(k)].wheels;
+            const WheelStyle& wheels = style.joints[at(k)].wheels;
             if (wheels.teeth_i > 0) { add(joint.joint->body_i, pair->i, wheels.teeth_i, wheels.offset_i); }
             add(joint.joint->body_j, pair->j, wheels.teeth_j, wheels.offset_j);
         }
@@ -201,7 +201,7 @@ public:
     WheelsGlyph(
         const PictureStyle& style, const PlacedJoint& placed, const WheelColours& colours, bool highlighted,
         render::Scene& scene)
-        : joint_style_(&style.joints[static_cast<std::size_t>(placed.index)]),
+        : joint_style_(&style.joints[at(placed.index)]),
           j_(placed),
           g_(pin_radius(style.unit)),
           colours_(&colours),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "app/session/view/symbols.hpp"
@@ -58,7 +59,9 @@ public:
     Emphasis() = default;
     /// Highlights everything that belongs to `pointed_at`.
     /// @param angular see angular_of
-    Emphasis(const System& system, int angular, const Pointable& pointed_at);
+    Emphasis(const System& system, int angular, const Pointable& pointed_at) {
+        light(system, angular, pointed_at);
+    }
 
     /// Adds everything that belongs to `link`.
     void light(const System& system, int angular, const Pointable& link);
@@ -77,5 +80,18 @@ private:
 
     std::vector<Pointable> links_;
 };
+
+struct View;
+
+/// The thing of kind `wanted` at a place of a step's picture or panels: for a vector also its joint, for a
+/// column of the matrix its body, for a symbol what it stands for; nothing if there is none of that kind.
+std::optional<Thing> thing_at(const Step& step, const View& view, const Pointable& place, Thing::Kind wanted);
+
+/// Place of a thing at a step: for a row that the system does not have, the equation of its joint; nothing
+/// for the row of a driver that is not added.
+Pointable place_of(const Step& step, const Thing& thing);
+
+/// Highlights the right things when the answer to a question about things is shown.
+void light_answer(const Step& step, CoordinateChoice coordinates, const View& view, Emphasis& lit);
 
 }  // namespace jw

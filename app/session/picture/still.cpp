@@ -1,12 +1,12 @@
 #include "app/session/picture/still.hpp"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
-#include "app/session/picture/picture_camera.hpp"
+#include "app/session/picture/picture.hpp"
 #include "app/session/picture/picture_parts.hpp"
 #include "app/session/story/dynamics_run.hpp"
+#include "app/session/wording/labels.hpp"
 
 namespace jw {
 
@@ -39,7 +39,7 @@ void fit_joints(const Mechanism& mechanism, const State& state, PictureStyle& st
     for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
         const picture::PlacedJoint joint = picture::placed(mechanism, j, state);
         const double d = joint.displacement();
-        JointStyle& range = style.joints[static_cast<std::size_t>(j)];
+        JointStyle& range = style.joints[at(j)];
         range.lowest = std::min(0.0, d);
         range.highest = std::max(0.0, d);
         range.farthest = (joint.P_j - joint.P_i - d * joint.s_i).norm();
@@ -81,33 +81,17 @@ void add_connection(const PictureStyle& style, const picture::PlacedJoint& joint
     std::ranges::move(gap.scene.polylines, std::back_inserter(scene.polylines));
 }
 
-/// Keeps the first of equal names at the same place: joints may share points and axes.
-void leave_out_repeated(const PictureStyle& style, std::vector<Annotation>& names) {
-    constexpr double same_place = 0.03;  // of the unit
-    std::vector<Annotation> once;
-    for (const Annotation& name : names) {
-        const bool repeats = std::ranges::any_of(once, [&](const Annotation& other) {
-            return other.text == name.text && other.body_name == name.body_name &&
-                   (other.at - name.at).norm() < same_place * style.unit;
-        });
-        if (!repeats) { once.push_back(name); }
-    }
-    names = std::move(once);
-}
-
 /// Adds names at the ends of the ground's axes, except at those that are seen end-on.
 void add_axis_names(const PictureStyle& style, const render::Scene& scene, std::vector<Annotation>& names) {
-    constexpr std::array words{"x", "y", "z"};
     constexpr double end_on = 0.3;  // sine of the angle to the view
     if (!style.ground_axes || scene.triads.empty()) { return; }
     const render::Triad& ground = scene.triads.front();
     for (int k = 0; k < 3; ++k) {
         const Vec3 axis = ground.pose.A.col(k);
         if (axis.cross(style.view.normalized()).norm() < end_on) { continue; }
-        const auto n = static_cast<std::size_t>(k);
         names.push_back(
-            {ground.pose.r + ground.length * axis, axis, words[n],
-             render::mix(render::palette::kAxes[n], render::palette::kInk, kInkOfAxisNames), true});
+            {ground.pose.r + ground.length * axis, axis, axis_name(k),
+             render::mix(render::palette::kAxes[at(k)], render::palette::kInk, kInkOfAxisNames), true});
     }
 }
 
@@ -124,7 +108,12 @@ void add_all_names(
         body.colour = render::mix(own, render::palette::kInk, kInkOfBodyNames);
         names.push_back(std::move(body));
     }
-    leave_out_repeated(style, names);
+    // joints may share points and axes
+    constexpr double same_place = 0.03;  // of the unit
+    picture::leave_out_repeated(names, [&](const Annotation& first, const Annotation& name) {
+        return first.text == name.text && first.body_name == name.body_name &&
+               (first.at - name.at).norm() < same_place * style.unit;
+    });
 }
 
 /// Joints whose vectors are shown: one, or two far apart; otherwise those that consist of vectors alone.
@@ -149,7 +138,7 @@ Picture still_picture(const Story& story, const PictureStyle& style) {
         add_connection(style, joints.back(), picture.scene);
     }
     for (const int j : joints_with_vectors(story, style, joints)) {
-        picture::add_vectors(style, joints[static_cast<std::size_t>(j)], picture);
+        picture::add_vectors(style, joints[at(j)], picture);
     }
     add_all_names(lesson, style, joints, std::move(bodies), picture);
     return picture;
@@ -166,8 +155,6 @@ Still::Still(const Lesson& lesson, bool as_given) {
     style_.bounds = render::bounds_of(picture_.scene);
     picture_.scene.ground = render::ground_below(style_.bounds, style_.up);
 }
-
-Still::~Still() = default;
 
 render::Camera Still::camera(const render::Rect& viewport, const render::Rect& safe) const {
     return camera_of(*story_, style_, viewport, safe);

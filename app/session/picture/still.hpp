@@ -13,9 +13,6 @@ public:
     /// @param as_given  true: all joints and drivers at the poses of the file, whether they fit or not;
     ///                  false: everything assembled, or as given if that is impossible
     Still(const Lesson& lesson, bool as_given);
-    ~Still();
-    Still(const Still&) = delete;
-    Still& operator=(const Still&) = delete;
 
     const Picture& picture() const { return picture_; }
     const PictureStyle& style() const { return style_; }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/session/story/dynamics_rows.hpp"
+#include "app/session/story/story.hpp"
 #include "app/session/story/taking_part.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -19,11 +20,6 @@ namespace {
 
 void add_columns(std::vector<std::string>& columns, const std::string& prefix) {
     for (const char* axis : {"x", "y", "z"}) { columns.push_back(prefix + axis); }
-}
-
-std::string name_of(const Reaction& reaction, const Mechanism& mechanism) {
-    return reaction.joint >= 0 ? mechanism.joints[at(reaction.joint)].name
-                               : mechanism.drivers[at(reaction.driver)].name;
 }
 
 void add_reactions(

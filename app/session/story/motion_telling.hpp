@@ -30,9 +30,6 @@ struct Assembled {
     State state;
 };
 
-/// The lesson's prescribed motion.
-std::unique_ptr<MotionTelling> tell_prescribed_motion(
-    const Assembled& from, const MotionPlan& plan, const StoryOptions& options);
 /// The motion by masses and forces, by the lesson's method.
 std::unique_ptr<MotionTelling> tell_motion_by_forces(
     const Assembled& from, const MotionPlan& plan, const StoryOptions& options);

@@ -19,17 +19,9 @@ namespace {
 constexpr double kMet = 1e-12;
 constexpr std::size_t kMostOwners = 6;  // named one by one
 
-const Joint& joint_at(const Mechanism& mechanism, int index) {
-    return mechanism.joints[static_cast<std::size_t>(index)];
-}
-
-const std::string& body_name(const Mechanism& mechanism, int index) {
-    return mechanism.bodies[static_cast<std::size_t>(index)].name;
-}
-
 /// Name of a subject: "Joint D" or "Driver crank drive"
 std::string subject_name(const Lesson& lesson, const Addition& subject) {
-    const auto k = static_cast<std::size_t>(subject.index);
+    const auto k = at(subject.index);
     return subject.kind == Addition::Kind::joint ? tr("Joint {0}", lesson.mechanism.joints[k].name)
                                                  : tr("Driver {0}", lesson.mechanism.drivers[k].name);
 }
@@ -37,7 +29,7 @@ std::string subject_name(const Lesson& lesson, const Addition& subject) {
 std::string number_word(int n) {
     constexpr std::array words{tr_later("one"),  tr_later("two"),  tr_later("three"),
                                tr_later("four"), tr_later("five"), tr_later("six")};
-    return n >= 1 && n <= 6 ? tr(words[static_cast<std::size_t>(n - 1)]) : std::to_string(n);
+    return n >= 1 && n <= 6 ? tr(words[at(n - 1)]) : std::to_string(n);
 }
 
 /// Numbers of equations by primitive: "3 from s, 2 of 3 from p1"
@@ -46,7 +38,7 @@ std::string counts_by_primitive(const System& system, int joint) {
     for (const Constraint& c : system.constraints()) {
         if (c.joint != joint) { continue; }
         const int kept = c.rows();
-        const std::string role = name_of_role(c.role, joint_at(system.mechanism(), joint).parallel_form);
+        const std::string role = name_of_role(c.role, system.mechanism().joints[at(joint)].parallel_form);
         const std::string part = kept < c.equations ? tr("{0} of {1} from {2}", kept, c.equations, role)
                                                     : tr("{0} from {1}", kept, role);
         text = text.empty() ? part : tr("{0}, {1}", text, part);
@@ -61,7 +53,7 @@ std::vector<int> rows_of(const System& system, const Addition& subject) {
     std::vector<int> rows;
     for (int row = 0; row < system.rows(); ++row) {
         const RowOrigin origin = system.origin(row);
-        const auto k = static_cast<std::size_t>(origin.index);
+        const auto k = at(origin.index);
         const bool own = origin.kind == RowOrigin::Kind::driver
                              ? subject == Addition{Addition::Kind::driver, system.drivers()[k].driver}
                              : subject == Addition{Addition::Kind::joint, system.constraints()[k].joint};
@@ -76,7 +68,7 @@ std::string bodies_sentence(const Lesson& lesson, const Step& step) {
     if (moving == 0) { return tr("No body can move: there are no coordinates."); }
     std::vector<std::string> names;
     for (const int b : step.system->moving_bodies()) {
-        if (names.size() < 8) { names.push_back(body_name(m, b)); }
+        if (names.size() < 8) { names.push_back(m.bodies[at(b)].name); }
     }
     if (moving > static_cast<int>(names.size())) {
         names.push_back(tr("{0} more", moving - static_cast<int>(names.size())));
@@ -102,7 +94,7 @@ std::string equations_sentence(const Lesson& lesson, const Step& step, const Add
     std::string brought = equations_count(static_cast<int>(rows.size()));
     if (subject.kind == Addition::Kind::joint) {
         brought = tr("{0} ({1})", brought, counts_by_primitive(system, subject.index));
-        if (joint_at(lesson.mechanism, subject.index).type->artificial > 0) {
+        if (lesson.mechanism.joints[at(subject.index)].type->artificial > 0) {
             brought = tr("{0} and an artificial coordinate θ", brought);
         }
     }
@@ -225,12 +217,10 @@ std::string reactions_text(const Mechanism& m, const Reactions& found) {
         if (largest == nullptr || r.wrench.force.norm() > largest->wrench.force.norm()) { largest = &r; }
     }
     if (largest == nullptr) { return ""; }
-    const std::string name = largest->joint >= 0 ? m.joints[static_cast<std::size_t>(largest->joint)].name
-                                                 : m.drivers[static_cast<std::size_t>(largest->driver)].name;
     const std::string text =
         tr("The arrows show the reactions of joints on their second bodies: one head is a force, two heads a "
            "torque. The largest force is {0} N, in {1}.",
-           number_text(largest->wrench.force.norm(), 3), name);
+           number_text(largest->wrench.force.norm(), 3), name_of(*largest, m));
     if (found.unique()) { return text; }
     return followed(
         text, tr("Pale arrows are one of many solutions: redundant equations leave them undetermined."));
@@ -299,9 +289,9 @@ std::string title_of(const Lesson& lesson, const Step& step) {
     const Mechanism& m = lesson.mechanism;
     std::string title = subject_name(lesson, *subject);
     if (subject->kind == Addition::Kind::joint) {
-        const Joint& joint = joint_at(m, subject->index);
-        title += " · " + std::string(joint.type->name) + " · " + body_name(m, joint.body_i) + " – " +
-                 body_name(m, joint.body_j);
+        const Joint& joint = m.joints[at(subject->index)];
+        title += " · " + std::string(joint.type->name) + " · " + m.bodies[at(joint.body_i)].name + " – " +
+                 m.bodies[at(joint.body_j)].name;
     }
     return title;
 }

@@ -35,13 +35,23 @@ std::optional<Addition> subject_of(const Lesson& lesson, const Step& step) {
     const bool of_addition =
         step.kind != Step::Kind::answer || question_of(lesson, step).place == Question::Place::addition;
     if (!of_addition) { return std::nullopt; }
-    return lesson.order[static_cast<std::size_t>(step.additions - 1)];
+    return lesson.order[at(step.additions - 1)];
+}
+
+const std::string& name_of(const Addition& addition, const Mechanism& mechanism) {
+    const std::size_t k = at(addition.index);
+    return addition.kind == Addition::Kind::joint ? mechanism.joints[k].name : mechanism.drivers[k].name;
+}
+
+const std::string& name_of(const Reaction& reaction, const Mechanism& mechanism) {
+    return reaction.joint >= 0 ? mechanism.joints[at(reaction.joint)].name
+                               : mechanism.drivers[at(reaction.driver)].name;
 }
 
 Selection selection_of(const Lesson& lesson, int count) {
     Selection selection;
     for (int k = 0; k < count; ++k) {
-        const Addition& a = lesson.order[static_cast<std::size_t>(k)];
+        const Addition& a = lesson.order[at(k)];
         (a.kind == Addition::Kind::joint ? selection.joints : selection.drivers).push_back(a.index);
     }
     return selection;
@@ -99,8 +109,7 @@ std::vector<int> featured_joints(const Story& story) {
     std::vector<int> bare = bare_joints(mechanism);
     if (is_few(bare)) { return bare; }
     std::erase_if(bare, [&](int joint) {
-        return std::ranges::none_of(
-            mechanism.joints[static_cast<std::size_t>(joint)].type->roles, is_parallel);
+        return std::ranges::none_of(mechanism.joints[at(joint)].type->roles, is_parallel);
     });
     if (is_few(bare)) { return bare; }
     if (story.featured_joint() >= 0) { return {story.featured_joint()}; }
@@ -127,10 +136,25 @@ bool advance_along(MotionTracker& tracker, const Lesson& lesson, double t, bool&
     return advance(t);
 }
 
+Instant instant_of(std::shared_ptr<const System> system, const MotionFrame& frame) {
+    Instant instant;
+    instant.t = frame.t;
+    instant.system = std::move(system);
+    instant.state = frame.state;
+    instant.velocity = frame.velocity;
+    instant.turns = frame.turns;
+    instant.acceleration = frame.acceleration;
+    return instant;
+}
+
 RankReport rank_of(const System& system, const State& state, double t, bool spectrum) {
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(state, t);
     return analyse_rank_of_any_size(system, assembler.sparse_jacobian(), assembler.phi(), spectrum);
+}
+
+RankReport rank_of(const Step& step) {
+    return step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
 }
 
 int count_of(const RankReport& report, Count count) {
@@ -149,14 +173,6 @@ RankReport rank_verdict_of(const System& system, const State& state, double t) {
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(state, t);
     return analyse_rank_verdict(system, assembler.sparse_jacobian(), assembler.phi());
-}
-
-RankWhenAsked::RankWhenAsked(std::shared_ptr<const System> system, State state, double t)
-    : pose_(std::make_shared<Pose>(Pose{std::move(system), std::move(state), t, std::nullopt})) {}
-
-const RankReport& RankWhenAsked::operator*() const {
-    if (!pose_->report) { pose_->report = rank_of(*pose_->system, pose_->state, pose_->t); }
-    return *pose_->report;
 }
 
 }  // namespace jw

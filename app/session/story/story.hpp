@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,31 +11,38 @@
 #include "core/motion/forces.hpp"
 #include "core/motion/reactions.hpp"
 #include "core/poses/rank.hpp"
+#include "core/quantity/evaluate.hpp"
 #include "lessons/lesson/lesson.hpp"
 
 /// A lesson as a sequence of steps: the free bodies; for each joint its equations, the Newton iterations that
 /// close what has been added so far, and the verdict; each driver likewise; then the motion.
 namespace jw {
 
-/// The verdict on the rank of a pose, computed when it is first read.
-class RankWhenAsked {
+/// A result that is computed when it is first read; copies share it.
+template <class Result>
+class WhenAsked {
 public:
-    RankWhenAsked(std::nullptr_t = nullptr) {}  // NOLINT: "none"
-    RankWhenAsked(std::shared_ptr<const System> system, State state, double t);
+    WhenAsked(std::nullptr_t = nullptr) {}  // NOLINT: "none"
+    explicit WhenAsked(std::function<Result()> find)
+        : asked_(std::make_shared<Asked>(Asked{std::move(find), std::nullopt})) {}
 
-    explicit operator bool() const { return pose_ != nullptr; }
-    const RankReport& operator*() const;
-    const RankReport* operator->() const { return &**this; }
+    explicit operator bool() const { return asked_ != nullptr; }
+    const Result& operator*() const {
+        if (!asked_->result) { asked_->result = asked_->find(); }
+        return *asked_->result;
+    }
+    const Result* operator->() const { return &**this; }
 
 private:
-    struct Pose {
-        std::shared_ptr<const System> system;
-        State state;
-        double t = 0.0;
-        std::optional<RankReport> report;
+    struct Asked {
+        std::function<Result()> find;
+        std::optional<Result> result;
     };
-    std::shared_ptr<Pose> pose_;
+    std::shared_ptr<Asked> asked_;
 };
+
+/// The verdict on the rank of a pose.
+using RankWhenAsked = WhenAsked<RankReport>;
 
 struct Step {
     enum class Kind {
@@ -81,7 +89,7 @@ inline bool is_asked(Step::Kind kind) { return kind == Step::Kind::question || k
 
 /// The question of the lesson that a question or answer step shows.
 inline const Question& question_of(const Lesson& lesson, const Step& step) {
-    return lesson.questions[static_cast<std::size_t>(step.question)];
+    return lesson.questions[at(step.question)];
 }
 
 /// Reactions at a moment of a motion by masses and forces; absent at other steps, and for mechanisms so large
@@ -90,6 +98,10 @@ std::optional<Reactions> reactions_of(const Step& step);
 
 /// The joint or driver that a step is about, if any.
 std::optional<Addition> subject_of(const Lesson& lesson, const Step& step);
+/// Name of a joint or driver.
+const std::string& name_of(const Addition& addition, const Mechanism& mechanism);
+/// Name of the joint or driver that reacts.
+const std::string& name_of(const Reaction& reaction, const Mechanism& mechanism);
 
 /// The first `count` entries of the lesson's order.
 Selection selection_of(const Lesson& lesson, int count);
@@ -182,9 +194,14 @@ private:
 /// choice of rows, if these are one or two); else the story's own featured joint. Empty if there is none.
 std::vector<int> featured_joints(const Story& story);
 
+/// What is known at a moment of a prescribed motion.
+Instant instant_of(std::shared_ptr<const System> system, const MotionFrame& frame);
+
 /// Verdict on a pose. @param spectrum true: singular values and free motions of large systems, too, which
 /// takes long
 RankReport rank_of(const System& system, const State& state, double t, bool spectrum = false);
+/// Verdict on the pose of a step, as far as the story has not found it already.
+RankReport rank_of(const Step& step);
 /// The number of a report that a claim or a question names.
 int count_of(const RankReport& report, Count count);
 /// Like rank_of, but without redundant rows, free motions and most singular values: faster, for many poses.

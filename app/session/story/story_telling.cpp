@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/session/story/motion_telling.hpp"
+#include "core/kinematics/motion_tracker.hpp"
 #include "core/poses/branches.hpp"
 #include "core/poses/large_rank.hpp"
 
@@ -22,6 +23,59 @@ void thin_out_iterations(std::vector<Step>& steps) {
     steps.erase(
         steps.begin() + static_cast<std::ptrdiff_t>(first + kFirstIterations), std::prev(steps.end()));
 }
+
+/// The lesson's prescribed motion.
+class PrescribedMotion : public MotionTelling {
+public:
+    PrescribedMotion(const Assembled& from, const MotionPlan& plan, const StoryOptions& options)
+        : lesson_(&from.lesson),
+          plan_(plan),
+          intervals_(options.intervals > 0 ? options.intervals : plan.steps),
+          shared_(from.system),
+          system_(*from.system),
+          tracker_(system_, from.state, start_time(from.lesson)) {}
+
+    bool go_on(std::vector<Step>& steps, std::vector<Step>& /*curve*/) override {
+        if (moment_ > intervals_) { return false; }
+        const double t = plan_.from + (plan_.to - plan_.from) * moment_ / intervals_;
+        bool switched = false;
+        const bool ok = moment_ == 0 || advance_along(tracker_, *lesson_, t, switched);
+        if (switched) { shared_ = std::make_shared<System>(system_); }
+        steps.push_back(present(switched));
+        if (!ok) { steps.back().failure = tracker_.failure(); }
+        moment_ = ok ? moment_ + 1 : intervals_ + 1;
+        return true;
+    }
+    double progress() const override { return static_cast<double>(moment_) / (intervals_ + 1); }
+    double work_of_piece() const override { return static_cast<double>(lesson_->mechanism.bodies.size()); }
+
+private:
+    Step present(bool switched) const {
+        const MotionFrame& frame = tracker_.frame();
+        Step step;
+        step.kind = Step::Kind::motion;
+        step.additions = static_cast<int>(lesson_->order.size());
+        step.system = shared_;
+        step.t = frame.t;
+        step.state = frame.state;
+        step.velocity = frame.velocity;
+        step.acceleration = frame.acceleration;
+        step.turns = frame.turns;
+        step.rows_switched = switched;
+        step.change_point = frame.change_point;
+        step.velocity_verdict = frame.velocity_verdict;
+        step.acceleration_verdict = frame.acceleration_verdict;
+        return step;
+    }
+
+    const Lesson* lesson_;
+    MotionPlan plan_;
+    int intervals_ = 1;
+    int moment_ = 0;
+    std::shared_ptr<const System> shared_;
+    System system_;
+    MotionTracker tracker_;
+};
 
 }  // namespace
 
@@ -78,8 +132,11 @@ bool StoryTelling::begin_motion() {
     if (!plan) { return false; }
     ask(Question::Place::motion, nullptr, Step::Kind::question);
     const Assembled from{*lesson_, system_, state_};
-    motion_ = lesson_->motion ? tell_prescribed_motion(from, *plan, options_)
-                              : tell_motion_by_forces(from, *plan, options_);
+    if (lesson_->motion) {
+        motion_ = std::make_unique<PrescribedMotion>(from, *plan, options_);
+    } else {
+        motion_ = tell_motion_by_forces(from, *plan, options_);
+    }
     return true;
 }
 
@@ -173,7 +230,7 @@ void StoryTelling::forget_poses() {
 }
 
 bool StoryTelling::tell_addition(int count) {
-    const Addition& added = lesson_->order[static_cast<std::size_t>(count - 1)];
+    const Addition& added = lesson_->order[at(count - 1)];
     ask(Question::Place::addition, &added, Step::Kind::question);
     if (!close_addition(count)) { return false; }
     ask(Question::Place::addition, &added, Step::Kind::answer);
@@ -196,7 +253,7 @@ bool StoryTelling::close_addition(int count) {
     step.state = state_;
     step.rank_before = rank_;
     step.rank = nullptr;
-    const Addition& added = lesson_->order[static_cast<std::size_t>(count - 1)];
+    const Addition& added = lesson_->order[at(count - 1)];
     for (std::size_t k = 0; added.kind == Addition::Kind::joint && k < system->constraints().size(); ++k) {
         const Constraint& c = system->constraints()[k];
         if (c.joint == added.index && is_parallel(c.role)) {
@@ -260,7 +317,9 @@ void StoryTelling::ask(Question::Place place, const Addition* added, Step::Kind 
 }
 
 RankWhenAsked StoryTelling::present_rank() const {
-    return options_.with_ranks ? RankWhenAsked(system_, state_, start_time_) : nullptr;
+    if (!options_.with_ranks) { return nullptr; }
+    return RankWhenAsked(
+        [system = system_, state = state_, t = start_time_] { return rank_of(*system, state, t); });
 }
 
 ToldLesson tell_at_once(std::shared_ptr<const Lesson> lesson, const StoryOptions& options) {

@@ -15,8 +15,6 @@ public:
     /// Begins with the free bodies. `lesson` must outlive the telling and its story.
     explicit StoryTelling(const Lesson& lesson, const StoryOptions& options = {});
     ~StoryTelling();
-    StoryTelling(const StoryTelling&) = delete;
-    StoryTelling& operator=(const StoryTelling&) = delete;
 
     /// Tells the next piece: a joint or driver, or a moment or an integrator's step of the motion.
     /// @return false if there was nothing more to tell

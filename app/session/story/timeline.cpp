@@ -31,10 +31,20 @@ Part part_of(const Story& story, const Step& step) {
 std::string name_of(const Part& part, const Lesson& lesson) {
     if (part.moves) { return "motion"; }
     if (part.additions == 0) { return "bodies"; }
-    const Addition& subject = lesson.order[static_cast<std::size_t>(part.additions - 1)];
-    const auto k = static_cast<std::size_t>(subject.index);
-    return subject.kind == Addition::Kind::joint ? lesson.mechanism.joints[k].name
-                                                 : lesson.mechanism.drivers[k].name;
+    return name_of(lesson.order[at(part.additions - 1)], lesson.mechanism);
+}
+
+/// The moment of the motion nearest to time `t`; nothing if nothing moves.
+std::optional<int> moment_near(const Story& story, double t) {
+    std::optional<int> nearest;
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < story.steps().size(); ++k) {
+        const Step& step = story.steps()[k];
+        if (step.kind != Step::Kind::motion || std::abs(step.t - t) >= distance) { continue; }
+        distance = std::abs(step.t - t);
+        nearest = static_cast<int>(k);
+    }
+    return nearest;
 }
 
 }  // namespace
@@ -73,12 +83,12 @@ int next_joint(const Story& story, int step, int direction) {
     return target;
 }
 
-std::optional<int> step_at(const Story& story, const std::string& at) {
+std::optional<int> step_at(const Story& story, const std::string& place) {
     const int last = last_step(story);
     double number = 0.0;
-    const bool is_time = at.starts_with("t=");
-    const char* const begin = at.data() + (is_time ? 2 : 0);
-    const char* const end = at.data() + at.size();
+    const bool is_time = place.starts_with("t=");
+    const char* const begin = place.data() + (is_time ? 2 : 0);
+    const char* const end = place.data() + place.size();
     const auto [stop, error] = read_decimal(begin, end, number);
     if (error == std::errc() && stop == end && std::isfinite(number)) {
         if (!is_time) {
@@ -86,27 +96,49 @@ std::optional<int> step_at(const Story& story, const std::string& at) {
             const bool fits = index >= 0.0 && index <= last && index == std::floor(index);
             return fits ? std::optional<int>(static_cast<int>(index)) : std::nullopt;
         }
-        std::optional<int> nearest;
-        double distance = std::numeric_limits<double>::infinity();
-        for (int k = 0; k <= last; ++k) {
-            const Step& step = story.steps()[static_cast<std::size_t>(k)];
-            if (step.kind != Step::Kind::motion || std::abs(step.t - number) >= distance) { continue; }
-            distance = std::abs(step.t - number);
-            nearest = k;
-        }
-        return nearest;
+        return moment_near(story, number);
     }
     for (const Stretch& stretch : stretches_of(story)) {
-        if (stretch.name != at) { continue; }
+        if (stretch.name != place) { continue; }
         // at the joint or driver itself, not at the questions before it
         int step = stretch.first;
-        while (step < stretch.last &&
-               story.steps()[static_cast<std::size_t>(step)].kind == Step::Kind::question) {
-            ++step;
-        }
+        while (step < stretch.last && story.steps()[at(step)].kind == Step::Kind::question) { ++step; }
         return step;
     }
     return std::nullopt;
+}
+
+StoryPlace place_of(const Story& story, int index) {
+    const Step& step = story.steps()[at(index)];
+    StoryPlace place{step.kind, subject_of(story.lesson(), step), 0, step.question, step.t};
+    for (int k = index - 1; k >= 0; --k) {
+        if (subject_of(story.lesson(), story.steps()[at(k)]) != place.subject) { break; }
+        ++place.nth;
+    }
+    return place;
+}
+
+int nearest_moment(const Story& story, double t) { return moment_near(story, t).value_or(last_step(story)); }
+
+int find_place(const Story& story, const StoryPlace& place) {
+    const auto size = static_cast<int>(story.steps().size());
+    if (place.kind == Step::Kind::motion) { return nearest_moment(story, place.t); }
+    if (place.kind == Step::Kind::bodies) { return 0; }
+    for (int k = 0; is_asked(place.kind) && k < size; ++k) {
+        const Step& step = story.steps()[at(k)];
+        if (step.kind == place.kind && step.question == place.question) { return k; }
+    }
+    int nth = 0;
+    int last = -1;
+    for (int k = 0; k < size; ++k) {
+        const Step& step = story.steps()[at(k)];
+        if (subject_of(story.lesson(), step) != place.subject) { continue; }
+        last = k;
+        const bool same = nth++ == place.nth && step.kind == place.kind;
+        const bool done = step.kind == place.kind && place.kind != Step::Kind::iteration;
+        if (same || done) { return k; }
+    }
+    return last >= 0 ? last : std::min(size - 1, story.last_assembled());
 }
 
 }  // namespace jw

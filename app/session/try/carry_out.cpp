@@ -22,7 +22,7 @@ constexpr double kArrived = 1e-12;
 
 Vec3 point_at(const Session& session, const Drag& drag) {
     const State& state = session.step().state;
-    const auto body = static_cast<std::size_t>(drag.body);
+    const auto body = at(drag.body);
     return state.r[body] + rotation_matrix(state.p[body]) * drag.point_local;
 }
 
@@ -57,7 +57,7 @@ std::string released(Session& session) {
 ExperimentResult move(Session& session, const Experiment& experiment) {
     const int index = session.index();
     const int held = closed_step(session.story(), index);
-    const State before = session.story().steps()[static_cast<std::size_t>(held)].state;
+    const State before = session.story().steps()[at(held)].state;
     const auto* drag = std::get_if<Drag>(&experiment);
     const std::string said = drag != nullptr ? drag_to_the_end(session, *drag) : session.apply(experiment);
     if (!session.in_hand()) {
@@ -72,7 +72,7 @@ ExperimentResult move(Session& session, const Experiment& experiment) {
     }
     std::string what = tr("moved along the free motion");
     if (drag != nullptr) {
-        const Body& body = session.lesson().mechanism.bodies[static_cast<std::size_t>(drag->body)];
+        const Body& body = session.lesson().mechanism.bodies[at(drag->body)];
         what = tr("{0} dragged to {1}", body.name, vector_text(point_at(session, *drag)));
     }
     const std::uint64_t told = session.told();

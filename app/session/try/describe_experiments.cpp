@@ -50,12 +50,6 @@ int widest_of(const ExperimentGroup& group) {
     return widest;
 }
 
-std::string group_text(const ExperimentGroup& group, int widest) {
-    TextRows rows;
-    for (const PossibleExperiment& e : group.experiments) { rows.push_back(cells(e)); }
-    return group.title + '\n' + text_table(rows, columns_for(widest)) + '\n';
-}
-
 std::string motions_text(const PossibleExperiments& all) {
     if (all.free_motions.empty()) {
         return std::string(tr("No free motion: every direction is constrained.")) + '\n';
@@ -75,8 +69,7 @@ std::string repeated_text(const PossibleExperiments& all) {
     for (const std::string& combination : all.combinations) {
         text += "  " + wrapped(combination, kWidth - 2, 4) + '\n';
     }
-    std::string list;
-    for (const std::string& row : all.removable) { list += (list.empty() ? "" : ", ") + row; }
+    const std::string list = joined(all.removable, ", ");
     const std::string verdict = all.present.redundant() == 1
                                     ? tr("Taking out any one of these restores full row rank: {0}", list)
                                     : tr("Taking out any one of these leaves the rank as it is: {0}", list);
@@ -93,15 +86,14 @@ Json json_of(const Effect& e) {
 }
 
 Json json_of(const ExperimentGroup& group) {
-    Json experiments = Json::array();
-    for (const PossibleExperiment& e : group.experiments) {
-        experiments.push_back(
-            {{"try", e.text},
-             {"now", e.now},
-             {"costs_no_rank", e.free},
-             {"effect", e.effect ? json_of(*e.effect) : Json()}});
-    }
-    return {{"title", group.title}, {"experiments", experiments}};
+    const auto experiment_json = [](const PossibleExperiment& e) -> Json {
+        return {
+            {"try", e.text},
+            {"now", e.now},
+            {"costs_no_rank", e.free},
+            {"effect", e.effect ? json_of(*e.effect) : Json()}};
+    };
+    return {{"title", group.title}, {"experiments", list_of(group.experiments, experiment_json)}};
 }
 
 }  // namespace
@@ -115,7 +107,11 @@ ExperimentsText::ExperimentsText(const PossibleExperiments& outline, const Lesso
                 {{"", tr("rank"), tr("freedoms"), tr("redundant"), tr("condition")}}, columns_for(widest_));
 }
 
-std::string ExperimentsText::group(const ExperimentGroup& group) const { return group_text(group, widest_); }
+std::string ExperimentsText::group(const ExperimentGroup& group) const {
+    TextRows rows;
+    for (const PossibleExperiment& e : group.experiments) { rows.push_back(cells(e)); }
+    return group.title + '\n' + text_table(rows, columns_for(widest_)) + '\n';
+}
 
 std::string ExperimentsText::rest(const PossibleExperiments& all) const {
     return group(all.coordinates) + repeated_text(all) + motions_text(all);
@@ -129,8 +125,6 @@ std::string describe(const PossibleExperiments& all, const Lesson& lesson) {
 }
 
 Json json_of(const PossibleExperiments& all, const Lesson& lesson) {
-    Json groups = Json::array();
-    for (const ExperimentGroup& group : all.groups) { groups.push_back(json_of(group)); }
     Json motions = Json::array();
     for (const FreeMotionVerdict& v : all.free_motions) {
         motions.push_back({{"try", v.text}, {"motion", v.motion}, {"finite", v.is_finite()}});
@@ -143,7 +137,7 @@ Json json_of(const PossibleExperiments& all, const Lesson& lesson) {
         {"moment", all.moment},
         {"step", all.step},
         {"present", json_of(all.present)},
-        {"groups", groups},
+        {"groups", list_of(all.groups, [](const ExperimentGroup& group) { return json_of(group); })},
         {"coordinates", json_of(all.coordinates)},
         {"combinations", all.combinations},
         {"removable", all.removable},

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/session/try/experiment_parts.hpp"
 #include "app/session/wording/labels.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/lesson/enum_words.hpp"
@@ -14,17 +13,16 @@ namespace jw {
 
 namespace experiment_text {
 
-std::vector<std::string> names_of_joints(const Lesson& lesson) {
+template <class Part>
+std::vector<std::string> names_in(const std::vector<Part>& parts) {
     std::vector<std::string> names;
-    for (const Joint& joint : lesson.mechanism.joints) { names.push_back(joint.name); }
+    for (const Part& part : parts) { names.push_back(part.name); }
     return names;
 }
 
-std::vector<std::string> names_of_drivers(const Lesson& lesson) {
-    std::vector<std::string> names;
-    for (const Driver& driver : lesson.mechanism.drivers) { names.push_back(driver.name); }
-    return names;
-}
+std::vector<std::string> names_of_joints(const Lesson& lesson) { return names_in(lesson.mechanism.joints); }
+
+std::vector<std::string> names_of_drivers(const Lesson& lesson) { return names_in(lesson.mechanism.drivers); }
 
 }  // namespace experiment_text
 
@@ -39,11 +37,7 @@ std::vector<std::string> names_of_parts(const Lesson& lesson) {
     return names;
 }
 
-std::vector<std::string> names_of_bodies(const Lesson& lesson) {
-    std::vector<std::string> names;
-    for (const Body& body : lesson.mechanism.bodies) { names.push_back(body.name); }
-    return names;
-}
+std::vector<std::string> names_of_bodies(const Lesson& lesson) { return names_in(lesson.mechanism.bodies); }
 
 Addition part_of(const Lesson& lesson, std::size_t index) {
     const std::size_t joints = lesson.mechanism.joints.size();
@@ -54,7 +48,7 @@ Addition part_of(const Lesson& lesson, std::size_t index) {
 }
 
 std::string part_name(const Lesson& lesson, const Addition& part) {
-    const auto k = static_cast<std::size_t>(part.index);
+    const auto k = at(part.index);
     const std::string& name = part.kind == Addition::Kind::joint ? lesson.mechanism.joints.at(k).name
                                                                  : lesson.mechanism.drivers.at(k).name;
     return quoted_name(name, names_of_parts(lesson));
@@ -141,7 +135,7 @@ Experiment read_drag(Words& words, const Session& session) {
 int closed_step_of(const Session& session, const Addition& part) {
     const std::vector<Step>& steps = session.story().steps();
     for (auto k = static_cast<int>(steps.size()) - 1; k >= 0; --k) {
-        const Step& step = steps[static_cast<std::size_t>(k)];
+        const Step& step = steps[at(k)];
         if (step.kind == Step::Kind::motion || is_asked(step.kind)) { continue; }
         if (subject_of(session.lesson(), step) == part) { return k; }
     }
@@ -217,7 +211,7 @@ struct Teller {
 
     std::string joint(int index) const {
         const std::vector<std::string> names = names_of_joints(lesson);
-        return quoted_name(names.at(static_cast<std::size_t>(index)), names);
+        return quoted_name(names.at(at(index)), names);
     }
 
     std::string operator()(const GoTo& a) const { return "go to step " + std::to_string(a.step); }
@@ -234,8 +228,7 @@ struct Teller {
         return (a.present ? "put back " : "take out ") + part_name(lesson, a.what);
     }
     std::string operator()(const SetEquationPresent& a) const {
-        const std::vector<LabelledEquation> all =
-            equations_of(lesson.mechanism.joints.at(static_cast<std::size_t>(a.joint)));
+        const std::vector<LabelledEquation> all = equations_of(lesson.mechanism.joints.at(at(a.joint)));
         const auto found = std::ranges::find(all, a.equation, &LabelledEquation::equation);
         return (a.present ? "put back " : "take out ") + part_name(lesson, {Addition::Kind::joint, a.joint}) +
                " " + (found != all.end() ? found->label : "?");
@@ -244,10 +237,10 @@ struct Teller {
     std::string operator()(const SetDriver& a) const { return experiment_text::text_of(a, lesson); }
     std::string body(int index) const {
         const std::vector<std::string> names = names_of_bodies(lesson);
-        return quoted_name(names.at(static_cast<std::size_t>(index)), names);
+        return quoted_name(names.at(at(index)), names);
     }
     std::string operator()(const SetPose& a) const {
-        const Body& before = lesson.mechanism.bodies.at(static_cast<std::size_t>(a.body));
+        const Body& before = lesson.mechanism.bodies.at(at(a.body));
         const bool at = a.r != before.r || a.p == before.p;
         std::string turned = a.p == before.p ? "" : " turned";
         for (int k = 0; k < 4 && !turned.empty(); ++k) { turned += " " + writing::number_text(a.p[k]); }

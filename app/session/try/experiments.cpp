@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-#include "app/session/try/savable.hpp"
+#include "app/session/story/story.hpp"
+#include "app/session/try/experiment_text.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/lesson/enum_words.hpp"
+#include "lessons/read/reader.hpp"
 #include "lessons/typed/typed.hpp"
+#include "lessons/write/writer.hpp"
 
 namespace jw {
 
@@ -16,12 +20,6 @@ namespace {
 bool is_index(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
 
 Edit refused(std::string why) { return {std::nullopt, std::move(why)}; }
-
-const std::string& name_of(const Lesson& lesson, const Addition& addition) {
-    const auto k = static_cast<std::size_t>(addition.index);
-    return addition.kind == Addition::Kind::joint ? lesson.mechanism.joints[k].name
-                                                  : lesson.mechanism.drivers[k].name;
-}
 
 /// Shortest turn from one direction to another.
 Mat3 turn_between(const Vec3& from, const Vec3& to) {
@@ -53,24 +51,20 @@ bool is_finite(const TimeFunction& f) {
 }
 
 bool usable(const JointGeometry& g) {
-    const auto finite = [](const Vec3& v) { return v.allFinite(); };
-    const auto direction = [](const Vec3& v) { return v.allFinite() && v.norm() > 1e-9; };
-    return finite(g.P_i_local) && finite(g.P_j_local) && direction(g.s_i_local) && direction(g.s_j_local) &&
-           direction(g.h_i_local) && direction(g.h_j_local) && direction(g.u_i_local) &&
-           direction(g.u_j_local) && std::isfinite(g.length);
+    const auto is_usable = [&](const auto& key) {
+        const Vec3& v = g.*key.member;
+        const bool is_point = &v == &g.P_i_local || &v == &g.P_j_local;
+        return v.allFinite() && (is_point || v.norm() > 1e-9);
+    };
+    return std::ranges::all_of(experiment_text::kVectors, is_usable) && std::isfinite(g.length);
 }
 
 /// Geometry with 0 for each minus zero: lesson files and sentences have no minus zero.
 JointGeometry without_minus_zeros(JointGeometry g) {
-    for (Vec3* v :
-         {&g.P_i_local, &g.P_j_local, &g.s_i_local, &g.s_j_local, &g.h_i_local, &g.h_j_local, &g.u_i_local,
-          &g.u_j_local}) {
-        *v += Vec3::Zero();
-    }
-    for (double* x : {&g.length, &g.alpha, &g.d_0, &g.theta_0, &g.ratio}) { *x += 0.0; }
-    for (std::optional<double>* x :
-         {&g.theta_start, &g.theta_dot_start, &g.angle_dot_start, &g.displacement_dot_start}) {
-        if (*x) { **x += 0.0; }
+    for (const auto& key : experiment_text::kVectors) { g.*key.member += Vec3::Zero(); }
+    for (const auto& key : experiment_text::kNumbers) { g.*key.member += 0.0; }
+    for (const auto& key : experiment_text::kOptional) {
+        if (g.*key.member) { *(g.*key.member) += 0.0; }
     }
     return g;
 }
@@ -95,6 +89,23 @@ TimeFunction without_minus_zeros(TimeFunction f) {
 bool says_numbers(const Experiment& experiment) {
     return std::holds_alternative<SetGeometry>(experiment) || std::holds_alternative<SetDriver>(experiment) ||
            std::holds_alternative<SetPose>(experiment);
+}
+
+/// The first error in the file that the lesson would become; empty if there is none.
+std::string mistake_in(const Lesson& lesson) {
+    try {
+        const ReadResult read = read_lesson(lesson_text(lesson), lesson.file_name);
+        if (read.lesson) { return {}; }
+        return std::ranges::find(read.diagnostics, Severity::error, &Diagnostic::severity)->message;
+    } catch (const std::invalid_argument& error) { return error.what(); }
+}
+
+/// Reason why a changed lesson could not be read again after it was saved. Empty if it could, or if the
+/// lesson before the change could not be read either: whoever made that lesson does not save it.
+std::string why_not_savable(const Lesson& changed, const Lesson& before) {
+    const std::string mistake = mistake_in(changed);
+    if (mistake.empty() || !mistake_in(before).empty()) { return {}; }
+    return tr("this cannot be written as a lesson: {0}", mistake);
 }
 
 class Editor {
@@ -131,7 +142,7 @@ public:
         if (!is_index(a.what.index, size)) {
             return refused(tr("there is no joint or driver of that number"));
         }
-        const std::string name = name_of(lesson_, a.what);
+        const std::string name = name_of(a.what, lesson_.mechanism);
         const bool is_present = std::ranges::find(lesson_.order, a.what) != lesson_.order.end();
         if (is_present == a.present) {
             return refused(
@@ -181,7 +192,7 @@ public:
         if (!is_finite(a.function)) {
             return refused(tr("numbers of a driver must be finite, a step must have an end"));
         }
-        Driver& driver = lesson_.mechanism.drivers[static_cast<std::size_t>(a.driver)];
+        Driver& driver = lesson_.mechanism.drivers[at(a.driver)];
         driver.function = without_minus_zeros(a.function);
         return done(tr("{0} changed", driver.name));
     }
@@ -190,7 +201,7 @@ public:
         if (!is_index(a.body, lesson_.mechanism.bodies.size())) {
             return refused(tr("there is no such body"));
         }
-        Body& body = lesson_.mechanism.bodies[static_cast<std::size_t>(a.body)];
+        Body& body = lesson_.mechanism.bodies[at(a.body)];
         if (body.fixed) { return refused(tr("{0} is fixed: it has no unknowns.", body.name)); }
         if (!a.r.allFinite() || !(std::abs(a.p.norm() - 1.0) <= kUnitP)) {
             return refused(tr("the position must be finite, and the Euler parameters must have length 1"));
@@ -205,14 +216,13 @@ public:
 
 private:
     Joint* joint_of(int index) {
-        return is_index(index, lesson_.mechanism.joints.size())
-                   ? &lesson_.mechanism.joints[static_cast<std::size_t>(index)]
-                   : nullptr;
+        return is_index(index, lesson_.mechanism.joints.size()) ? &lesson_.mechanism.joints[at(index)]
+                                                                : nullptr;
     }
 
     /// Gives a joint another geometry, by which its drivers and the springs on its axis measure from then on.
     void set_geometry(int index, const JointGeometry& geometry) {
-        Joint& joint = lesson_.mechanism.joints[static_cast<std::size_t>(index)];
+        Joint& joint = lesson_.mechanism.joints[at(index)];
         const Joint before = joint;
         joint.geometry = geometry;
         measure_anew(index);
@@ -231,7 +241,7 @@ private:
 
     /// Updates the measures of the drivers along a joint to its new geometry.
     void measure_anew(int index) {
-        const Joint& joint = lesson_.mechanism.joints[static_cast<std::size_t>(index)];
+        const Joint& joint = lesson_.mechanism.joints[at(index)];
         for (Driver& driver : lesson_.mechanism.drivers) {
             if (driver.joint != index) { continue; }
             driver.measure = std::visit(
@@ -249,14 +259,15 @@ private:
     /// The joint that a driver acts along, -1 for anything else.
     int joint_driven_by(const Addition& addition) const {
         if (addition.kind == Addition::Kind::joint) { return -1; }
-        return lesson_.mechanism.drivers[static_cast<std::size_t>(addition.index)].joint;
+        return lesson_.mechanism.drivers[at(addition.index)].joint;
     }
 
     /// Puts `what` back, after everything that the author has before it.
     Edit put_back(const Addition& what, const std::string& name) {
         const Addition its_joint{Addition::Kind::joint, joint_driven_by(what)};
         if (its_joint.index >= 0 && std::ranges::find(lesson_.order, its_joint) == lesson_.order.end()) {
-            return refused(tr("{0} drives {1}: put {1} back first", name, name_of(lesson_, its_joint)));
+            return refused(
+                tr("{0} drives {1}: put {1} back first", name, name_of(its_joint, lesson_.mechanism)));
         }
         const auto rank = [&](const Addition& a) { return std::ranges::find(written_.order, a); };
         const auto later =
@@ -320,7 +331,7 @@ std::vector<Experiment> moves_to(const State& state, const Lesson& lesson) {
     const std::vector<double> measured = start_state(moved).theta;
     const std::vector<int> thetas = moved.theta_indices();
     for (std::size_t j = 0; j < moved.joints.size(); ++j) {
-        const auto k = static_cast<std::size_t>(std::max(0, thetas[j]));
+        const auto k = at(std::max(0, thetas[j]));
         if (thetas[j] < 0 || measured[k] == state.theta[k]) { continue; }
         JointGeometry geometry = moved.joints[j].geometry;
         geometry.theta_start = state.theta[k];

@@ -14,7 +14,7 @@ constexpr int kFollowSteps = 24;
 
 int closed_step(const Story& story, int index) {
     const auto open = [&](int k) {
-        const Step::Kind kind = story.steps()[static_cast<std::size_t>(k)].kind;
+        const Step::Kind kind = story.steps()[at(k)].kind;
         return kind == Step::Kind::equations || kind == Step::Kind::iteration || kind == Step::Kind::failed;
     };
     while (index > 0 && open(index)) { --index; }
@@ -22,7 +22,7 @@ int closed_step(const Story& story, int index) {
 }
 
 Hand::Hand(const Story& story, int index) {
-    const Step& held = story.steps()[static_cast<std::size_t>(closed_step(story, index))];
+    const Step& held = story.steps()[at(closed_step(story, index))];
     step_ = held;
     step_.rank = nullptr;
     step_.failure.reset();
@@ -43,14 +43,13 @@ bool Hand::follow(int motion, double part) {
         const RankReport report = rank_of(*system_, start_, step_.t);
         if (motion < 0 || motion >= static_cast<int>(report.free_motions.size())) { return false; }
         followed_ = follow_free_motion(
-            *system_, start_, step_.t, report.free_motions[static_cast<std::size_t>(motion)], kFollowSteps,
-            kFreedomStep);
+            *system_, start_, step_.t, report.free_motions[at(motion)], kFollowSteps, kFreedomStep);
         followed_motion_ = motion;
     }
     const auto last = static_cast<int>(followed_->states.size()) - 1;
     const int way = part < 0.0 ? followed_->start : last - followed_->start;
     const auto steps = static_cast<int>(std::lround(std::clamp(part, -1.0, 1.0) * way));
-    show(followed_->states[static_cast<std::size_t>(followed_->start + steps)]);
+    show(followed_->states[at(followed_->start + steps)]);
     return true;
 }
 

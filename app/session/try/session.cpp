@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/session/try/place.hpp"
-#include "app/session/try/tried.hpp"
+#include "app/session/story/timeline.hpp"
+#include "app/session/try/experiments.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/shown_lesson.hpp"
 
@@ -69,11 +69,7 @@ Session::Session(Lesson lesson, const std::vector<CarriedOut>& done, Storyteller
 
 Session::~Session() = default;
 
-const Lesson& Session::lesson() const { return *lesson_; }
-
-const Step& Session::step() const {
-    return hand_ ? hand_->step() : story_->steps()[static_cast<std::size_t>(index_)];
-}
+const Step& Session::step() const { return hand_ ? hand_->step() : story_->steps()[at(index_)]; }
 
 std::string Session::apply(const Experiment& experiment) {
     return std::visit([this](const auto& e) { return perform(e); }, experiment);
@@ -245,7 +241,7 @@ std::string Session::perform(const Drag& drag) {
     if (drag.body < 0 || static_cast<std::size_t>(drag.body) >= bodies) {
         return tr("there is no such body");
     }
-    const Body& body = lesson_->mechanism.bodies[static_cast<std::size_t>(drag.body)];
+    const Body& body = lesson_->mechanism.bodies[at(drag.body)];
     if (body.fixed) { return tr("{0} is fixed: it has no unknowns.", body.name); }
     gesture_ = 0;
     if (!hand_ && step().kind == Step::Kind::motion) { return scrub(drag); }
@@ -261,9 +257,9 @@ std::string Session::perform(const Drag& drag) {
 /// Drags a driven mechanism along its motion, to the moment where the point is nearest to the target. The
 /// search walks from the present moment, so that the point does not jump to another part of its path.
 std::string Session::scrub(const Drag& drag) {
-    const auto body = static_cast<std::size_t>(drag.body);
+    const auto body = at(drag.body);
     const auto distance = [&](int k) {
-        const Step& s = story_->steps()[static_cast<std::size_t>(k)];
+        const Step& s = story_->steps()[at(k)];
         if (s.kind != Step::Kind::motion) { return std::numeric_limits<double>::infinity(); }
         return (s.state.r[body] + rotation_matrix(s.state.p[body]) * drag.point_local - drag.target).norm();
     };
@@ -282,7 +278,7 @@ std::string Session::scrub(const Drag& drag) {
 }
 
 bool Session::asks_for_pose() const {
-    const Step& step = story_->steps()[static_cast<std::size_t>(index_)];
+    const Step& step = story_->steps()[at(index_)];
     return step.kind == Step::Kind::question &&
            std::holds_alternative<PoseAnswer>(question_of(*lesson_, step).answer);
 }
@@ -315,10 +311,6 @@ std::string Session::perform(const ShowFreedom& experiment) {
     return {};
 }
 
-const FollowedMotion* Session::shown_freedom() const {
-    return hand_ && hand_->followed() ? &*hand_->followed() : nullptr;
-}
-
 const View& Session::view() const {
     if (!cache_->view) {
         ++views_computed_;
@@ -338,16 +330,9 @@ const Picture& Session::picture() const {
 }
 
 const RankReport& Session::rank() const {
-    if (!cache_->rank) {
-        const Step& shown = step();
-        cache_->rank = shown.rank ? *shown.rank : rank_of(*shown.system, shown.state, shown.t);
-    }
+    if (!cache_->rank) { cache_->rank = rank_of(step()); }
     return *cache_->rank;
 }
-
-std::string Session::undo_text() const { return undo_.empty() ? std::string() : undo_.back().what; }
-
-std::string Session::redo_text() const { return redo_.empty() ? std::string() : redo_.back().what; }
 
 int Session::index_of_time(double t) const { return nearest_moment(*story_, t); }
 

@@ -33,11 +33,9 @@ public:
     /// Session of a lesson in which `done` was carried out; each of them can be undone.
     Session(Lesson lesson, const std::vector<CarriedOut>& done, Storyteller tell = tell_at_once);
     ~Session();
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
 
     /// The lesson with all changes made so far.
-    const Lesson& lesson() const;
+    const Lesson& lesson() const { return *lesson_; }
     const Lesson& as_written() const { return *written_; }
     const Story& story() const { return *story_; }
     /// Lesson and story as they are now: they do not change, whatever is done to the session.
@@ -89,11 +87,13 @@ public:
 
     bool is_changed() const { return lesson_ != written_; }
     /// Text of the change that undo (redo) would take back (repeat); empty if there is none.
-    std::string undo_text() const;
-    std::string redo_text() const;
+    std::string undo_text() const { return undo_.empty() ? std::string() : undo_.back().what; }
+    std::string redo_text() const { return redo_.empty() ? std::string() : redo_.back().what; }
 
     /// The free motion that is shown; nullptr if none is.
-    const FollowedMotion* shown_freedom() const;
+    const FollowedMotion* shown_freedom() const {
+        return hand_ && hand_->followed() ? &*hand_->followed() : nullptr;
+    }
 
     /// Index of the step of the story that is nearest to time `t` of the motion; the last step if there is no
     /// motion.

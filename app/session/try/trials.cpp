@@ -11,10 +11,7 @@ namespace jw {
 namespace {
 
 /// Freedoms of what is assembled at the end of a story.
-int freedoms_of(const Story& story) {
-    const Step& step = story.steps()[static_cast<std::size_t>(story.last_assembled())];
-    return (step.rank ? *step.rank : rank_of(*step.system, step.state, step.t)).dof;
-}
+int freedoms_of(const Story& story) { return rank_of(story.steps()[at(story.last_assembled())]).dof; }
 
 /// Judges whether the story after the experiments is as the author says.
 void judge(const Trial& trial, int freedoms_before, const Story& story, ClaimResult& result) {

@@ -1,4 +1,4 @@
-#include "app/session/try/tried.hpp"
+#include "app/session/try/experiments.hpp"
 
 #include <algorithm>
 
@@ -71,7 +71,7 @@ bool lead_to(const Lesson& now, std::span<const Experiment> edits, const Lesson&
 }  // namespace
 
 std::vector<Experiment> tried_with(
-    std::vector<Experiment> edits, std::span<const Experiment> more, const Change& change) {
+    std::vector<Experiment> edits, std::span<const Experiment> more, const LessonChange& change) {
     if (same_lesson(change.now, change.written)) { return {}; }
     if (same_lesson(change.now, change.before)) { return edits; }
     std::vector<Experiment> fewer = edits;

@@ -1,7 +1,7 @@
 #include "app/session/view/derivation.hpp"
 
 #include "app/session/view/quantities.hpp"
-#include "app/session/wording/markup.hpp"
+#include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "lessons/formula/block_formulas.hpp"
@@ -32,11 +32,7 @@ std::optional<ColumnPlace> place_of(const System& system, int column, int angula
 }
 
 std::string numbers(const MatrixX& values) {
-    std::string text = "(";
-    for (Eigen::Index k = 0; k < values.size(); ++k) {
-        text += (k == 0 ? "" : ", ") + number_text(values.reshaped()(k), kDigits);
-    }
-    return text + ")";
+    return "(" + joined(values.reshaped(), ", ", [](double x) { return number_text(x, kDigits); }) + ")";
 }
 
 /// Entry of a value, which may be 0 or I.
@@ -77,10 +73,11 @@ math::Row substituted(const math::Row& row, const formula::Meanings& meanings) {
 std::optional<Derivation> derivation_of(const Step& step, CoordinateChoice coordinates, int row, int column) {
     const System& system = *step.system;
     if (row >= system.rows()) { return std::nullopt; }
-    const RowOrigin origin = system.origin(row);
-    if (origin.kind != RowOrigin::Kind::constraint) { return std::nullopt; }
-    const Constraint& c = system.constraints()[static_cast<std::size_t>(origin.index)];
-    const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(c.joint)];
+    const Constraint* const constraint = constraint_of(system, row);
+    if (constraint == nullptr) { return std::nullopt; }
+    const Constraint& c = *constraint;
+    const int component = system.origin(row).component;
+    const Joint& joint = system.mechanism().joints[at(c.joint)];
     const bool of_p = coordinates == CoordinateChoice::true_euler_parameters ||
                       coordinates == CoordinateChoice::modified_euler_parameters;
     const std::optional<ColumnPlace> place = place_of(system, column, of_p ? 4 : 3);
@@ -102,14 +99,11 @@ std::optional<Derivation> derivation_of(const Step& step, CoordinateChoice coord
     derivation.numbers = math::write_latex(substituted(right, meanings));
     const formula::Value value =
         formula::evaluate_expression(math::own_math(formula::block_name(block)), meanings);
-    if (value.kind == formula::Value::Kind::matrix && origin.component < value.rows()) {
+    if (value.kind == formula::Value::Kind::matrix && component < value.rows()) {
         derivation.block = matrix_markup(value.d[0], kDigits);
-        constexpr const char* axes[] = {"x", "y", "z"};
-        derivation.entry =
-            entry_of(formula::evaluate_expression(right, meanings), origin.component, place->offset);
-        derivation.row =
-            (value.rows() == 3 ? tr("row {0}", axes[origin.component]) : std::string(tr("row"))) + ": " +
-            numbers(value.d[0].row(origin.component));
+        derivation.entry = entry_of(formula::evaluate_expression(right, meanings), component, place->offset);
+        derivation.row = (value.rows() == 3 ? tr("row {0}", axis_name(component)) : std::string(tr("row"))) +
+                         ": " + numbers(value.d[0].row(component));
     }
     return derivation;
 }

@@ -15,7 +15,7 @@ constexpr std::size_t kMostBodiesOfDynamics = 20;
 DynamicsView::Body body_of(const DenseEquations<OmegaLocal>& equations, const MassProperties& own, int body) {
     const int column = equations.system().body_column(body, OmegaLocal::kAngular);
     DynamicsView::Body view;
-    view.name = equations.system().mechanism().bodies[static_cast<std::size_t>(body)].name;
+    view.name = equations.system().mechanism().bodies[at(body)].name;
     view.mass = own.mass;
     view.J_local = own.J_local;
     view.f = equations.force().segment<3>(column);
@@ -82,7 +82,7 @@ std::optional<DynamicsView> dynamics_view_of(
     view.acceleration = equations.acceleration();
     view.multipliers = multipliers_of(equations);
     for (const int body : equations.system().moving_bodies()) {
-        const MassProperties& own = *scene.loads.masses[static_cast<std::size_t>(body)];
+        const MassProperties& own = *scene.loads.masses[at(body)];
         view.bodies.push_back(body_of(equations, own, body));
     }
     view.residual = relative_residual(view);

@@ -5,6 +5,7 @@
 
 #include "app/session/wording/explanations.hpp"
 #include "app/session/wording/messages.hpp"
+#include "app/session/wording/numbers.hpp"
 
 namespace jw {
 
@@ -17,18 +18,18 @@ constexpr std::ptrdiff_t kMostJudged = 1000;
 std::vector<int> loose_bodies(const System& system) {
     const Mechanism& mechanism = system.mechanism();
     std::vector<bool> held(mechanism.bodies.size(), false);
-    const auto hold = [&](int body) { held[static_cast<std::size_t>(body)] = true; };
+    const auto hold = [&](int body) { held[at(body)] = true; };
     for (const Constraint& c : system.constraints()) {
         hold(c.body_i);
         hold(c.body_j);
     }
     for (const DriverConstraint& d : system.drivers()) {
-        hold(mechanism.drivers[static_cast<std::size_t>(d.driver)].body_i);
-        hold(mechanism.drivers[static_cast<std::size_t>(d.driver)].body_j);
+        hold(mechanism.drivers[at(d.driver)].body_i);
+        hold(mechanism.drivers[at(d.driver)].body_j);
     }
     std::vector<int> loose;
     for (const int body : system.moving_bodies()) {
-        if (!held[static_cast<std::size_t>(body)]) { loose.push_back(body); }
+        if (!held[at(body)]) { loose.push_back(body); }
     }
     return loose;
 }
@@ -75,28 +76,11 @@ std::vector<ListedMotion> listed_motions(
         motion.told = told_motion(system, motion.text, *motion.judgement);
     }
     if (loose.empty()) { return listed; }
-    std::string names;
-    for (const int body : loose) {
-        const std::string& name = system.mechanism().bodies[static_cast<std::size_t>(body)].name;
-        names += (names.empty() ? "" : ", ") + name;
-    }
+    const std::string names =
+        joined(loose, ", ", [&](int body) { return system.mechanism().bodies[at(body)].name; });
     const std::string text = tr("{0}: all six, not constrained yet", names);
     listed.push_back({text, text, std::nullopt, -1});
     return listed;
-}
-
-MotionsWhenAsked::MotionsWhenAsked(
-    std::shared_ptr<const System> system, State state, double t, std::vector<FreeMotion> motions)
-    : pose_(std::make_shared<Pose>(
-          Pose{std::move(system), std::move(state), t, std::move(motions), std::nullopt})) {}
-
-const std::vector<ListedMotion>& MotionsWhenAsked::operator*() const {
-    if (!pose_->listed) {
-        pose_->listed = listed_motions(
-            *pose_->system, pose_->motions,
-            judgements_on(*pose_->system, pose_->state, pose_->t, pose_->motions));
-    }
-    return *pose_->listed;
 }
 
 }  // namespace jw

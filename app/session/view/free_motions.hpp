@@ -1,12 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/session/story/story.hpp"
 #include "core/kinematics/freedoms.hpp"
-#include "core/poses/rank.hpp"
 
 /// Free motions of a pose as lists show them: in words, with the verdict on each.
 namespace jw {
@@ -31,26 +30,7 @@ struct ListedMotion {
 std::vector<ListedMotion> listed_motions(
     const System& system, const std::vector<FreeMotion>& motions, const FreedomJudgements& judgements);
 
-/// List of free motions that is judged when it is first read; copies share the result.
-class MotionsWhenAsked {
-public:
-    MotionsWhenAsked() = default;
-    MotionsWhenAsked(
-        std::shared_ptr<const System> system, State state, double t, std::vector<FreeMotion> motions);
-
-    explicit operator bool() const { return pose_ != nullptr; }
-    const std::vector<ListedMotion>& operator*() const;
-    const std::vector<ListedMotion>* operator->() const { return &**this; }
-
-private:
-    struct Pose {
-        std::shared_ptr<const System> system;
-        State state;
-        double t = 0.0;
-        std::vector<FreeMotion> motions;
-        std::optional<std::vector<ListedMotion>> listed;
-    };
-    std::shared_ptr<Pose> pose_;
-};
+/// List of free motions that is judged when it is first read.
+using MotionsWhenAsked = WhenAsked<std::vector<ListedMotion>>;
 
 }  // namespace jw

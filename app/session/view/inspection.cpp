@@ -84,7 +84,7 @@ FreedomJudgements judgements_of(const Inspection& inspection) {
 }
 
 Inspection inspect_step(const Story& story, int index, CoordinateChoice choice, Spectrum spectrum) {
-    const Step& step = story.steps().at(static_cast<std::size_t>(index));
+    const Step& step = story.steps().at(at(index));
     Inspection inspection;
     inspection.moment = tr("step {0}", index);
     inspection.step = index;

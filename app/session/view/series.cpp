@@ -57,7 +57,7 @@ void list_vectors(int body, std::vector<NamedQuantity>& list) {
         for (int k = 0; k < 3; ++k) {
             list.push_back({MeasureQuantity{CoordinateMeasure{k}, 0, body, -1, -1}, derivative});
         }
-        add_size(places[static_cast<std::size_t>(derivative)]);
+        add_size(places[at(derivative)]);
     }
     for (int derivative = 0; derivative < 2; ++derivative) {
         for (int k = 0; k < 3; ++k) { list.push_back({AngularVelocityQuantity{body, false, k}, derivative}); }
@@ -85,7 +85,7 @@ std::vector<NamedQuantity> further_quantities(const Step& step, const BodyPoint&
 
 const Step& moment_at(const Story& story, const SeriesSet& set, std::size_t point) {
     if (set.of_curve) { return story.curve()[point]; }
-    return story.steps()[static_cast<std::size_t>(set.steps[point])];
+    return story.steps()[at(set.steps[point])];
 }
 
 /// Relative change of a curve: almost zero for a driver that moves evenly.
@@ -99,12 +99,12 @@ double liveliness(const Series& series) {
 /// known), the one whose rate changes most; else the first. If nothing is measured, r of the first body.
 std::vector<int> telling_measure(const Story& story, const SeriesSet& set) {
     if (set.series.size() < 3) { return series::all_of(set); }
-    const Step& step = story.steps()[static_cast<std::size_t>(set.steps.front())];
+    const Step& step = story.steps()[at(set.steps.front())];
     int best = 0;
     double most = 0.0;
     int k = 0;
     for (const QuantityMotion& q : quantities_of(step)) {
-        const double changes = q.driven ? 0.0 : liveliness(set.series[static_cast<std::size_t>(k) + 1]);
+        const double changes = q.driven ? 0.0 : liveliness(set.series[at(k) + 1]);
         // if only rounding distinguishes curves, the first is taken
         if (changes > (1.0 + 1e-9) * most) {
             most = changes;
@@ -129,11 +129,8 @@ std::vector<Solve> solves_of(const Story& story) {
         const auto subject = subject_of(story.lesson(), step);
         // a question and its answer show the pose of another step, without the events that led there
         if (!subject || is_asked(step.kind)) { continue; }
-        const Mechanism& mechanism = story.lesson().mechanism;
-        const auto index = static_cast<std::size_t>(subject->index);
         if (step.kind == Step::Kind::equations) {
-            const bool joint = subject->kind == Addition::Kind::joint;
-            solves.push_back({joint ? mechanism.joints[index].name : mechanism.drivers[index].name, {}, {}});
+            solves.push_back({name_of(*subject, story.lesson().mechanism), {}, {}});
             continue;
         }
         Solve& solve = solves.back();
@@ -172,7 +169,7 @@ int add_series(SeriesSet& set, const Story& story, const std::vector<NamedQuanti
         const Instant instant = instant_of(moment_at(story, set, point));
         for (std::size_t k = 0; k < wanted.size(); ++k) {
             const QuantityValue v = evaluate(wanted[k].quantity, instant, wanted[k].derivative);
-            const double number = v.derivatives[static_cast<std::size_t>(wanted[k].derivative)];
+            const double number = v.derivatives[at(wanted[k].derivative)];
             set.series[first + k].values.push_back(factor_of_unit(wanted[k].quantity) * number);
         }
     }

@@ -26,9 +26,7 @@ Mark switches_between(const System& before, const System& now) {
         int dropped = 0;
         std::string text;
     };
-    const auto joint_of = [&](int joint) -> const Joint& {
-        return now.mechanism().joints[static_cast<std::size_t>(joint)];
-    };
+    const auto joint_of = [&](int joint) -> const Joint& { return now.mechanism().joints[at(joint)]; };
     std::vector<Switch> switches;
     for (std::size_t k = 0; k < now.constraints().size(); ++k) {
         const Constraint& c = now.constraints()[k];
@@ -57,9 +55,7 @@ Mark switches_between(const System& before, const System& now) {
 
 void add_switches(const Story& story, SeriesSet& set) {
     for (std::size_t k = 1; k < set.steps.size(); ++k) {
-        const auto system_at = [&](std::size_t point) {
-            return story.steps()[static_cast<std::size_t>(set.steps[point])].system;
-        };
+        const auto system_at = [&](std::size_t point) { return story.steps()[at(set.steps[point])].system; };
         if (system_at(k) == system_at(k - 1)) { continue; }
         Mark mark = switches_between(*system_at(k - 1), *system_at(k));
         if (mark.text.empty()) { continue; }
@@ -70,9 +66,7 @@ void add_switches(const Story& story, SeriesSet& set) {
 
 /// Adds one mark in the middle of each run of poses that are nearly singular.
 void add_change_points(const Story& story, SeriesSet& set) {
-    const auto is_one = [&](std::size_t point) {
-        return story.steps()[static_cast<std::size_t>(set.steps[point])].change_point;
-    };
+    const auto is_one = [&](std::size_t point) { return story.steps()[at(set.steps[point])].change_point; };
     for (std::size_t first = 0; first < set.steps.size(); ++first) {
         if (!is_one(first)) { continue; }
         std::size_t last = first;
@@ -123,7 +117,7 @@ SeriesSet over_time(const Story& story) {
     SeriesSet set;
     set.axis = "t [s]";
     set.steps = motion_steps(story);
-    for (const int k : set.steps) { set.at.push_back(story.steps()[static_cast<std::size_t>(k)].t); }
+    for (const int k : set.steps) { set.at.push_back(story.steps()[at(k)].t); }
     add_switches(story, set);
     add_change_points(story, set);
     std::ranges::stable_sort(set.marks, {}, &Mark::at);
@@ -140,9 +134,7 @@ SeriesSet over_curve(const Story& story) {
     set.of_curve = true;
     std::size_t next = 0;
     for (const Step& moment : story.curve()) {
-        const auto time_of = [&](std::size_t k) {
-            return story.steps()[static_cast<std::size_t>(steps[k])].t;
-        };
+        const auto time_of = [&](std::size_t k) { return story.steps()[at(steps[k])].t; };
         while (next + 1 < steps.size() && time_of(next) < moment.t) { ++next; }
         set.at.push_back(moment.t);
         set.steps.push_back(steps[next]);
@@ -156,7 +148,7 @@ SeriesSet singular_value_series(const Story& story) {
     SeriesSet set = series::over_time(story);
     set.logarithmic = true;
     for (std::size_t k = 0; k < set.steps.size(); ++k) {
-        const Step& step = story.steps()[static_cast<std::size_t>(set.steps[k])];
+        const Step& step = story.steps()[at(set.steps[k])];
         const RankReport report = rank_of(*step.system, step.state, step.t);
         const auto count = static_cast<std::size_t>(report.singular_values.size());
         if (k == 0) {
@@ -179,7 +171,7 @@ SeriesSet condition_series(const Story& story, int joint) {
     set.logarithmic = true;
     const System* before = nullptr;
     for (std::size_t k = 0; k < set.steps.size(); ++k) {
-        const Step& step = story.steps()[static_cast<std::size_t>(set.steps[k])];
+        const Step& step = story.steps()[at(set.steps[k])];
         const std::vector<RowChoice> choices = choices_of_joint(*step.system, joint, step.state, before);
         std::size_t next = 0;
         const auto add = [&](const std::string& name, double condition) {
@@ -193,7 +185,7 @@ SeriesSet condition_series(const Story& story, int joint) {
             const RowChoice& reason = choices[choice++];
             const std::string role = name_of_role(c.role, ParallelForm::rule);
             for (int drop = 0; drop < 3; ++drop) {
-                add(role + " drop " + axis_name(drop), reason.pair_condition[static_cast<std::size_t>(drop)]);
+                add(role + " drop " + axis_name(drop), reason.pair_condition[at(drop)]);
             }
             add(role + " in use", reason.form_condition);
         }
@@ -213,14 +205,14 @@ SeriesSet condition_series(const Story& story, int joint) {
 }
 
 std::vector<Vec3> axis_directions(const Story& story, int joint, int last) {
-    const Joint& axis = story.lesson().mechanism.joints[static_cast<std::size_t>(joint)];
+    const Joint& axis = story.lesson().mechanism.joints[at(joint)];
     std::vector<Vec3> directions;
     for (int k = 0; k <= last; ++k) {
-        const Step& step = story.steps()[static_cast<std::size_t>(k)];
+        const Step& step = story.steps()[at(k)];
         if (is_asked(step.kind)) { continue; }  // a question does not move anything
         const std::vector<int>& present = step.system->selection().joints;
         if (std::ranges::find(present, joint) == present.end()) { continue; }
-        const Mat3 A = rotation_matrix(step.state.p[static_cast<std::size_t>(axis.body_i)]);
+        const Mat3 A = rotation_matrix(step.state.p[at(axis.body_i)]);
         directions.push_back((A * axis.geometry.s_i_local).normalized());
     }
     return directions;

@@ -40,7 +40,7 @@ std::vector<NamedQuantity> quantities_of(const System& system, Analysis analysis
         }
     }
     for (const int j : system.selection().joints) {
-        if (system.mechanism().joints[static_cast<std::size_t>(j)].type->artificial == 0) { continue; }
+        if (system.mechanism().joints[at(j)].type->artificial == 0) { continue; }
         for (int derivative = 0; derivative <= highest; ++derivative) {
             list.push_back({measures_of(system.mechanism(), j).front(), derivative});
         }
@@ -59,29 +59,17 @@ std::vector<std::string> columns_of(
     return columns;
 }
 
-Instant instant_of(const System& system, const MotionFrame& frame, bool has_accelerations) {
-    Instant instant;
-    instant.t = frame.t;
-    // does not own the system, which outlives the instant
-    instant.system = std::shared_ptr<const System>(std::shared_ptr<const System>(), &system);
-    instant.state = frame.state;
-    instant.velocity = frame.velocity;
-    instant.turns = frame.turns;
-    if (has_accelerations) { instant.acceleration = frame.acceleration; }
-    return instant;
-}
-
 SweepRow row_of(
     const System& system, const MotionFrame& frame, const SweepPlan& plan,
     const std::vector<NamedQuantity>& list, const std::shared_ptr<const Centroidal>& scene) {
     const Analysis analysis = plan.analysis;
     SweepRow row;
-    Instant instant =
-        instant_of(system, frame, analysis == Analysis::acceleration || !plan.quantities.empty());
+    // does not own the system, which outlives the instant
+    Instant instant = instant_of({std::shared_ptr<const System>(), &system}, frame);
+    if (analysis != Analysis::acceleration && plan.quantities.empty()) { instant.acceleration = {}; }
     instant.scene = scene;
     const auto add = [&](const NamedQuantity& q) {
-        row.values.push_back(
-            evaluate(q.quantity, instant, q.derivative).derivatives[static_cast<std::size_t>(q.derivative)]);
+        row.values.push_back(evaluate(q.quantity, instant, q.derivative).derivatives[at(q.derivative)]);
     };
     row.values.push_back(frame.t);
     for (const NamedQuantity& q : list) { add(q); }
@@ -105,8 +93,8 @@ SweepRow row_of(
 std::string asked_text(const System& system, int row, double value, const std::string& per, double t) {
     const RowOrigin origin = system.origin(row);
     if (origin.kind != RowOrigin::Kind::driver) { return number_text(value, 6) + " 1" + per; }
-    const int index = system.drivers()[static_cast<std::size_t>(origin.index)].driver;
-    const Driver& driver = system.mechanism().drivers[static_cast<std::size_t>(index)];
+    const int index = system.drivers()[at(origin.index)].driver;
+    const Driver& driver = system.mechanism().drivers[at(index)];
     if (std::holds_alternative<SquaredDistanceMeasure>(driver.measure)) {
         return number_text(value / (2.0 * driver.function.at(t).f), 6) + " m" + per;
     }
@@ -167,8 +155,6 @@ std::string contradiction_at(const System& system, const MotionFrame& frame) {
     return contradiction_of(system, frame, assembler.gamma(), false);
 }
 
-}  // namespace
-
 std::vector<double> times_of(const SweepPlan& plan) {
     std::vector<double> times;
     const auto whole = static_cast<long>(std::floor((plan.to - plan.from) / plan.step + kRoundingOfSum));
@@ -177,6 +163,8 @@ std::vector<double> times_of(const SweepPlan& plan) {
     if (plan.to - times.back() > kRoundingOfSum * plan.step) { times.push_back(plan.to); }
     return times;
 }
+
+}  // namespace
 
 Sweep solve_sweep(
     const Lesson& lesson, const SweepPlan& plan, const std::function<void(double fraction)>& progress) {

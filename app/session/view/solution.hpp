@@ -9,11 +9,15 @@
 #include "app/session/view/inspection.hpp"
 #include "core/kinematics/proof/proof_record.hpp"
 #include "core/quantity/names.hpp"
+#include "lessons/lesson/enum_words.hpp"
 
 /// Position, velocity and acceleration analysis over a sweep of time, as a table of numbers.
 namespace jw {
 
 enum class Analysis { position, velocity, acceleration };
+inline constexpr std::array kAnalyses{
+    EnumWord<Analysis>{Analysis::position, "position"}, EnumWord<Analysis>{Analysis::velocity, "velocity"},
+    EnumWord<Analysis>{Analysis::acceleration, "acceleration"}};
 
 struct SweepPlan {
     Analysis analysis = Analysis::position;
@@ -44,9 +48,6 @@ struct Sweep {
     std::optional<ProofRecord> proof;
     std::shared_ptr<const System> system;
 };
-
-/// The times of a plan.
-std::vector<double> times_of(const SweepPlan& plan);
 
 /// @throws PoseNotReached if the mechanism cannot be assembled
 Sweep solve_sweep(

@@ -1,9 +1,9 @@
 #include "app/session/view/symbols.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "app/session/view/quantities.hpp"
-#include "app/session/view/symbol_facts.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"
 #include "core/quantity/names.hpp"
@@ -20,7 +20,61 @@ constexpr std::size_t kMostMeanings = 4;
 /// Letter of a vector that is fixed in a body; not the joint type of the same name.
 constexpr std::string_view kArm = "s";
 
-std::size_t at_of(int index) { return static_cast<std::size_t>(index); }
+/// What the book says about a symbol, whatever body or joint it belongs to.
+struct SymbolFact {
+    const char* letter;
+    const char* marks;    ///< as in formula::Symbol; nullptr: any
+    const char* meaning;  ///< to be translated
+    const char* unit;     ///< without dots; "" if it has none
+    const char* slide;    ///< where it is defined
+};
+
+constexpr std::array kFacts{
+    SymbolFact{"r", "", tr_later("origin of the body"), "m", "slide 12"},
+    SymbolFact{"r", nullptr, tr_later("attachment point of the joint"), "m", "slide 6"},
+    SymbolFact{"p", "", tr_later("Euler parameters of the body"), "", "slide 12"},
+    SymbolFact{"e", "", tr_later("Euler parameters of the body"), "", "slide 12"},
+    SymbolFact{"A", "", tr_later("rotation matrix of the body"), "", "slide 12"},
+    SymbolFact{"G", "", tr_later("matrix of the Euler parameters"), "", "slide 13"},
+    SymbolFact{"L", "", tr_later("matrix of the Euler parameters"), "", "slide 13"},
+    SymbolFact{"ω", "", tr_later("angular velocity of the body"), "rad/s", "slide 13"},
+    SymbolFact{"s", "", tr_later("axis vector of the joint"), "", "slide 2"},
+    SymbolFact{"s", nullptr, tr_later("from the origin of the body to the attachment point"), "m", "slide 6"},
+    SymbolFact{"h", "", tr_later("side vector of the joint"), "", "slide 10"},
+    SymbolFact{"u", "", tr_later("zero of the angle of the joint"), "", "slide 11"},
+    SymbolFact{"d", "", tr_later("vector between the attachment points"), "m", "slide 2"},
+    SymbolFact{"α", "", tr_later("advance of the screw per radian"), "m/rad", "slide 11"},
+    SymbolFact{"θ", "", tr_later("angle of the joint"), "rad", "slide 11"},
+    SymbolFact{"m", "", tr_later("mass of the body"), "kg", "slide 24"},
+    SymbolFact{"J", "", tr_later("inertia of the body"), "kg m²", "slide 24"},
+    SymbolFact{"f", "", tr_later("force on the body"), "N", "slide 24"},
+    SymbolFact{"n", "", tr_later("torque on the body"), "N m", "slide 24"},
+    SymbolFact{"Φ", nullptr, tr_later("left sides of the constraint equations"), "", "slide 2"},
+    SymbolFact{"γ", nullptr, tr_later("right sides of the acceleration equations"), "", "slide 19"},
+    SymbolFact{"q", "", tr_later("coordinates of the moving bodies"), "", "slide 18"},
+    SymbolFact{"t", "", tr_later("time"), "s", ""},
+    SymbolFact{"λ", "", tr_later("Lagrange multipliers"), "", "slide 24"},
+    SymbolFact{"M", "", tr_later("mass matrix"), "", "slide 24"},
+    SymbolFact{"Q", "", tr_later("applied forces"), "", "slide 24"},
+};
+
+/// @return nullptr for symbols that the book does not define
+const SymbolFact* fact_of(const formula::Symbol& symbol) {
+    for (const SymbolFact& fact : kFacts) {
+        if (symbol.letter == fact.letter && (fact.marks == nullptr || symbol.marks == fact.marks)) {
+            return &fact;
+        }
+    }
+    return nullptr;
+}
+
+/// Unit of a symbol with dots: "m/s²" of "m" with two; empty for a symbol without unit and without dots.
+std::string unit_of_rate(const std::string& unit, int dots) {
+    if (dots == 0) { return unit; }
+    if (unit.ends_with("/s")) { return unit + (dots == 1 ? "²" : "³"); }
+    const std::string per = dots == 1 ? "s" : "s²";
+    return (unit.empty() ? "1" : unit) + "/" + per;
+}
 
 /// Letters of an index, words included: "crank".
 std::string written_index(const math::Row& below) {
@@ -47,6 +101,10 @@ math::Node with_index(math::Node node, const char* index) {
 }
 
 /// Finds what a symbol stands for at one step.
+///
+/// Its owner: a body that its index names; else the joint of the step, once for each of its primitives where
+/// they differ; else the moving body of that joint; else the whole system. Without a joint, all moving bodies
+/// and all present joints are possible owners.
 class Finder {
 public:
     Finder(const Step& step, CoordinateChoice coordinates, const formula::TextSymbol& symbol)
@@ -72,13 +130,14 @@ public:
         return meanings_;
     }
 
+    /// The same within the formula of a joint's primitive, where Φ is that of the primitive.
     std::vector<SymbolMeaning> found(int joint, Role role) {
         of_primitive(joint, role);
         return meanings_;
     }
 
 private:
-    const Joint& joint_of(int joint) const { return mechanism_->joints[at_of(joint)]; }
+    const Joint& joint_of(int joint) const { return mechanism_->joints[at(joint)]; }
 
     std::optional<MatrixX> value_of(const formula::Subject& subject, const math::Node& node) const {
         formula::Subject of = subject;
@@ -136,7 +195,7 @@ private:
 
     std::string frame_in(int body, int primes) const {
         if (!belongs_to(symbol_->name, "rsdhuωJfn")) { return {}; }
-        return primes > 0 ? tr("in the frame of body {0}", mechanism_->bodies[at_of(body)].name)
+        return primes > 0 ? tr("in the frame of body {0}", mechanism_->bodies[at(body)].name)
                           : std::string(tr("in the global frame"));
     }
 
@@ -146,7 +205,7 @@ private:
         SymbolPart part;
         part.body = body;
         return add(
-            subject, node, mechanism_->bodies[at_of(body)].name, frame_in(body, symbol_->name.primes), part);
+            subject, node, mechanism_->bodies[at(body)].name, frame_in(body, symbol_->name.primes), part);
     }
 
     void of_joint(int joint) {
@@ -193,7 +252,7 @@ private:
             return false;
         }
         const bool of_body = part.kind == SymbolPart::Kind::body && (of_j || index.ends_with("i"));
-        const std::string& owner = of_body ? mechanism_->bodies[at_of(part.body)].name : j.name;
+        const std::string& owner = of_body ? mechanism_->bodies[at(part.body)].name : j.name;
         formula::Subject subject;
         subject.joint = joint;
         return add(subject, node, owner, frame_in(part.body, symbol_->name.primes), part);
@@ -226,7 +285,7 @@ private:
         for (const int joint : joints) {
             for (const int body : {joint_of(joint).body_j, joint_of(joint).body_i}) {
                 const bool known = std::ranges::find(bodies, body) != bodies.end();
-                if (!mechanism_->bodies[at_of(body)].fixed && !known) { bodies.push_back(body); }
+                if (!mechanism_->bodies[at(body)].fixed && !known) { bodies.push_back(body); }
             }
         }
         return bodies;
@@ -296,17 +355,6 @@ void add_symbols(
 
 }  // namespace
 
-std::optional<SymbolView> symbol_view_of(
-    const Step& step, CoordinateChoice coordinates, const SymbolSubject& subject,
-    const formula::TextSymbol& symbol) {
-    return viewed(step, symbol, Finder(step, coordinates, symbol).found(subject));
-}
-
-std::optional<SymbolView> symbol_view_of(
-    const Step& step, int joint, Role role, const formula::TextSymbol& symbol) {
-    return viewed(step, symbol, Finder(step, CoordinateChoice::omega_local, symbol).found(joint, role));
-}
-
 std::string scope_of(const EquationGroup& group) {
     return group.role ? std::to_string(group.joint) + " " + std::string(word_of(*group.role)) : std::string();
 }
@@ -318,7 +366,7 @@ std::vector<SymbolView> symbols_of(
     for (const std::string& text : texts) {
         for (const math::TextPart& part : math::text_parts(text).parts) {
             add_symbols(list, {}, part.row, [&](const formula::TextSymbol& symbol) {
-                return symbol_view_of(step, coordinates, subject, symbol);
+                return viewed(step, symbol, Finder(step, coordinates, symbol).found(subject));
             });
         }
     }
@@ -327,7 +375,9 @@ std::vector<SymbolView> symbols_of(
         add_symbols(
             list, scope_of(group), math::read_math(group.formula).row,
             [&](const formula::TextSymbol& symbol) {
-                return symbol_view_of(step, group.joint, *group.role, symbol);
+                return viewed(
+                    step, symbol,
+                    Finder(step, CoordinateChoice::omega_local, symbol).found(group.joint, *group.role));
             });
     }
     return list;

@@ -54,19 +54,6 @@ struct SymbolSubject {
     int body = -1;            ///< of a driver without joint; -1: none
 };
 
-/// A symbol of a text at the step; nothing if it stands for nothing there.
-///
-/// Its owner: a body that its index names; else the joint of the step, once for each of its primitives where
-/// they differ; else the moving body of that joint; else the whole system. Without a joint, all moving bodies
-/// and all present joints are possible owners.
-std::optional<SymbolView> symbol_view_of(
-    const Step& step, CoordinateChoice coordinates, const SymbolSubject& subject,
-    const formula::TextSymbol& symbol);
-
-/// The same within the formula of a joint's primitive, where Φ is that of the primitive.
-std::optional<SymbolView> symbol_view_of(
-    const Step& step, int joint, Role role, const formula::TextSymbol& symbol);
-
 /// Scope of the formula of a group of equations.
 std::string scope_of(const EquationGroup& group);
 

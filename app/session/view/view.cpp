@@ -29,7 +29,7 @@ MatrixView matrix_of(
     });
     for (int row = 0; row < static_cast<int>(view.values.rows()); ++row) {
         const RowOrigin origin = system.origin(row);
-        const auto k = static_cast<std::size_t>(origin.index);
+        const auto k = at(origin.index);
         MatrixView::Row entry{row_owner(system, row), short_row_label(system, row), false, false};
         if (origin.kind == RowOrigin::Kind::constraint) {
             entry.subject = system.constraints()[k].joint == joint;
@@ -38,9 +38,7 @@ MatrixView matrix_of(
         }
         view.rows.push_back(std::move(entry));
     }
-    for (const RedundantRow& r : report.redundant_rows) {
-        view.rows[static_cast<std::size_t>(r.row)].redundant = report.assembled;
-    }
+    for (const RedundantRow& r : report.redundant_rows) { view.rows[at(r.row)].redundant = report.assembled; }
     for (const ColumnName& name : column_names(system, choice)) {
         view.columns.push_back({name.owner, name.symbol});
     }
@@ -66,10 +64,7 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
     view.rank = report.rank;
     view.dof = report.dof;
     view.mobility_by_counting = report.mobility_by_counting;
-    if (step.rank_before) {
-        view.rank_before = step.rank_before->rank;
-        view.rows_before = step.rank_before->rows;
-    }
+    if (step.rank_before) { view.rank_before = step.rank_before->rank; }
     view.has_spectrum = report.has_spectrum;
     view.singular_values.assign(report.singular_values.begin(), report.singular_values.end());
     view.threshold = report.threshold;
@@ -90,7 +85,10 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
     const bool is_listed = step.rank && report.assembled &&
                            (step.kind == Step::Kind::assembled || step.kind == Step::Kind::answer);
     if (is_listed && !report.free_motions.empty()) {
-        view.judged_motions = MotionsWhenAsked(step.system, step.state, step.t, report.free_motions);
+        view.judged_motions = MotionsWhenAsked(
+            [system = step.system, state = step.state, t = step.t, motions = report.free_motions] {
+                return listed_motions(*system, motions, judgements_on(*system, state, t, motions));
+            });
     }
     view.typed = report.typed;
     return view;
@@ -100,8 +98,7 @@ RankView rank_view_of(const Step& step, const RankReport& report) {
 std::vector<EquationGroup> equations_of(
     const Story& story, const Step& step, int index, const std::vector<int>& joints,
     const RankReport& report) {
-    const System* before =
-        index > 0 ? story.steps()[static_cast<std::size_t>(index) - 1].system.get() : nullptr;
+    const System* before = index > 0 ? story.steps()[at(index) - 1].system.get() : nullptr;
     std::vector<EquationGroup> all;
     for (const int joint : joints) {
         std::vector<EquationGroup> groups = equations_of_joint(
@@ -110,9 +107,7 @@ std::vector<EquationGroup> equations_of(
         std::ranges::move(groups, std::back_inserter(all));
     }
     if (joints.size() < 2) { return all; }
-    for (EquationGroup& group : all) {
-        group.owner = story.lesson().mechanism.joints[static_cast<std::size_t>(group.joint)].name;
-    }
+    for (EquationGroup& group : all) { group.owner = story.lesson().mechanism.joints[at(group.joint)].name; }
     return all;
 }
 
@@ -160,7 +155,7 @@ std::vector<NewtonRow> newton_rows_of(const Step& step) {
 std::vector<BodyMotion> body_motions_of(const Step& step) {
     std::vector<BodyMotion> motions;
     for (const int body : step.system->moving_bodies()) {
-        const auto b = static_cast<std::size_t>(body);
+        const auto b = at(body);
         const Mat3 A = rotation_matrix(step.state.p[b]);
         BodyMotion motion;
         motion.body = step.system->mechanism().bodies[b].name;
@@ -189,7 +184,7 @@ std::string author_text_of(const Lesson& lesson, const Step& step) {
     }
     if (is_asked(step.kind)) { return {}; }
     const Addition subject = *subject_of(lesson, step);
-    const auto k = static_cast<std::size_t>(subject.index);
+    const auto k = at(subject.index);
     return subject.kind == Addition::Kind::joint ? texts.joints[k] : texts.drivers[k];
 }
 
@@ -235,11 +230,11 @@ SymbolSubject symbol_subject_of(const Lesson& lesson, const std::vector<int>& jo
     SymbolSubject subject{joints, -1};
     if (driver < 0) { return subject; }
     const Mechanism& mechanism = lesson.mechanism;
-    const Driver& d = mechanism.drivers[static_cast<std::size_t>(driver)];
+    const Driver& d = mechanism.drivers[at(driver)];
     if (d.joint >= 0) {
         subject.joints = {d.joint};
     } else {
-        const bool j_moves = !mechanism.bodies[static_cast<std::size_t>(d.body_j)].fixed;
+        const bool j_moves = !mechanism.bodies[at(d.body_j)].fixed;
         subject.body = j_moves ? d.body_j : d.body_i;
     }
     return subject;
@@ -255,12 +250,12 @@ std::vector<std::string> RankView::told_motions() const {
 }
 
 View view_of(const Story& story, int index, ViewParts parts) {
-    return view_of(story, story.steps()[static_cast<std::size_t>(index)], index, parts);
+    return view_of(story, story.steps()[at(index)], index, parts);
 }
 
 View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     const Lesson& lesson = story.lesson();
-    const RankReport report = step.rank ? *step.rank : rank_of(*step.system, step.state, step.t);
+    const RankReport report = rank_of(step);
 
     int joint = -1;
     int driver = -1;
@@ -280,9 +275,7 @@ View view_of(const Story& story, const Step& step, int index, ViewParts parts) {
     view.steps = static_cast<int>(story.steps().size());
     view.t = step.t;
     view.lesson_title = lesson.title;
-    view.source = joint >= 0
-                      ? std::string(lesson.mechanism.joints[static_cast<std::size_t>(joint)].type->source)
-                      : lesson.source;
+    view.source = joint >= 0 ? std::string(lesson.mechanism.joints[at(joint)].type->source) : lesson.source;
     view.title = title_of(lesson, step);
     view.rank = rank_view_of(step, report);
     view.rank.once_assembled = rank_once_assembled(story, step, index);

@@ -43,7 +43,6 @@ struct RankView {
     /// Before assembly: the rank that the same equations have once they hold. Rows become redundant only at
     /// the solution, so the rank of an unassembled pose may be larger.
     std::optional<int> once_assembled;
-    int rows_before = 0;
     bool has_spectrum = true;             ///< false: singular_values and free_motions were not computed
     std::vector<double> singular_values;  ///< largest first, of the (r, ω′) matrix
     double threshold = 0.0;

@@ -21,11 +21,11 @@ bool is_redundant(const RankReport* report, int row) {
 
 /// Size of a component of the unit axis, without its sign: "0.8"
 std::string size_of(int component, const ChoiceView& choice) {
-    return number_text(choice.axis_size[static_cast<std::size_t>(component)], 3);
+    return number_text(choice.axis_size[at(component)], 3);
 }
 
 std::string condition_of(int component, const ChoiceView& choice) {
-    return number_text(choice.pair_condition[static_cast<std::size_t>(component)], 3);
+    return number_text(choice.pair_condition[at(component)], 3);
 }
 
 std::string reason_of_rule(const RowChoice& choice, const ChoiceView& view) {
@@ -51,7 +51,7 @@ std::string components_of(unsigned mask, ParallelForm form) {
     std::vector<std::string> names;
     for (int k = 0; k < 3; ++k) {
         if (((mask >> k) & 1U) == 0) { continue; }
-        names.emplace_back(form == ParallelForm::pair ? pair[static_cast<std::size_t>(k)] : axis_name(k));
+        names.emplace_back(form == ParallelForm::pair ? pair[at(k)] : axis_name(k));
     }
     return listed(names);
 }
@@ -197,7 +197,7 @@ std::vector<EquationGroup> open_equations(const Step& now, const Step& after, in
 EquationGroup equation_of_driver(const Step& step, int driver, const RankReport* report) {
     const System& system = *step.system;
     const auto found = std::ranges::find(system.drivers(), driver, &DriverConstraint::driver);
-    const EquationText text = driver_text(system.mechanism().drivers[static_cast<std::size_t>(driver)]);
+    const EquationText text = driver_text(system.mechanism().drivers[at(driver)]);
     EquationGroup group{text.primitive, text.formula, text.plain, text.unit, {}, std::nullopt};
     Assembler<OmegaLocal> assembler(system);
     assembler.assemble_phi_and_jacobian(step.state, step.t);

@@ -11,8 +11,8 @@
 namespace jw {
 
 std::string branch_text(const System& system, const WrongBranch& wrong) {
-    const Constraint& c = system.constraints()[static_cast<std::size_t>(wrong.constraint)];
-    const std::string& joint = system.mechanism().joints[static_cast<std::size_t>(c.joint)].name;
+    const Constraint& c = system.constraints()[at(wrong.constraint)];
+    const std::string& joint = system.mechanism().joints[at(c.joint)].name;
     switch (wrong.kind) {
         case WrongBranch::Kind::anti_parallel:
             return tr(
@@ -71,12 +71,10 @@ std::string departure_text(const System& system, const Departure& d) {
     static_assert(kPowers.size() == kHighestOrder + 1);
     static constexpr std::array kSymbols{"x", "y", "z", "φ"};
     const Mechanism& m = system.mechanism();
-    const std::string& missed = d.joint >= 0 ? m.joints[static_cast<std::size_t>(d.joint)].name
-                                             : m.drivers[static_cast<std::size_t>(d.driver)].name;
-    const std::string symbol = kSymbols[static_cast<std::size_t>(d.direction)];
-    const std::string term =
-        number_text(d.coefficient, 3) + " " + symbol + kPowers[static_cast<std::size_t>(d.order)];
-    const std::string& body = m.bodies[static_cast<std::size_t>(d.body)].name;
+    const std::string& missed = d.joint >= 0 ? m.joints[at(d.joint)].name : m.drivers[at(d.driver)].name;
+    const std::string symbol = kSymbols[at(d.direction)];
+    const std::string term = number_text(d.coefficient, 3) + " " + symbol + kPowers[at(d.order)];
+    const std::string& body = m.bodies[at(d.body)].name;
     return d.direction == 3
                ? tr("violates {0} by {1} (order {2}); φ is the rotation of {3}", missed, term, d.order, body)
                : tr("violates {0} by {1} (order {2}); {3} is that of {4}", missed, term, d.order, symbol,

@@ -22,12 +22,10 @@ constexpr double kMeantParallel = 0.2;
 constexpr double kSameDirection = 1e-12;
 
 const std::string& joint_name(const System& system, int joint) {
-    return system.mechanism().joints[static_cast<std::size_t>(joint)].name;
+    return system.mechanism().joints[at(joint)].name;
 }
 
-const Driver& driver_at(const System& system, int driver) {
-    return system.mechanism().drivers[static_cast<std::size_t>(driver)];
-}
+const Driver& driver_at(const System& system, int driver) { return system.mechanism().drivers[at(driver)]; }
 
 std::string angle_text(double radians) { return number_text(radians * kDegreesPerRadian, 3) + "°"; }
 
@@ -82,10 +80,10 @@ std::string tilted_axes_text(const System& system, const std::vector<int>& joint
     std::vector<std::string> texts;
     for (std::size_t body = 0; body < m.bodies.size(); ++body) {
         for (std::size_t a = 0; a < joints.size(); ++a) {
-            const Joint& first = m.joints[static_cast<std::size_t>(joints[a])];
+            const Joint& first = m.joints[at(joints[a])];
             const auto s = axis_in(first, static_cast<int>(body));
             for (std::size_t b = a + 1; s && b < joints.size(); ++b) {
-                const Joint& second = m.joints[static_cast<std::size_t>(joints[b])];
+                const Joint& second = m.joints[at(joints[b])];
                 const auto other = axis_in(second, static_cast<int>(body));
                 if (!other) { continue; }
                 const double angle = elementary::atan2(s->cross(*other).norm(), std::abs(s->dot(*other)));

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/numerics/variants.hpp"
+#include "lessons/lesson/enum_words.hpp"
 #include "lessons/lesson/things.hpp"
 #include "lessons/math/read_math.hpp"
 #include "lessons/math/write_math.hpp"
@@ -103,14 +104,34 @@ const char* unit_of_role(Role role) {
     return "m²";
 }
 
-const Constraint& constraint_of(const System& system, const RowOrigin& origin) {
-    return system.constraints()[static_cast<std::size_t>(origin.index)];
+/// What the label of a row consists of.
+struct RowNames {
+    const std::string& owner;
+    std::string equation;
+    std::string component;  ///< mostly empty
+};
+
+RowNames names_of(const System& system, int row) {
+    const RowOrigin origin = system.origin(row);
+    const Mechanism& mechanism = system.mechanism();
+    switch (origin.kind) {
+        case RowOrigin::Kind::constraint: {
+            const Constraint& c = system.constraints()[at(origin.index)];
+            const Joint& joint = mechanism.joints[at(c.joint)];
+            return {
+                joint.name, name_of_role(c.role, joint.parallel_form), component_name(c, origin.component)};
+        }
+        case RowOrigin::Kind::driver:
+            return {mechanism.drivers[at(system.drivers()[at(origin.index)].driver)].name, "f(t)", ""};
+        case RowOrigin::Kind::normalisation: break;
+    }
+    return {mechanism.bodies[at(origin.index)].name, "pᵀp", ""};
 }
 
 /// Euler parameters: "e₀".
 std::string euler_parameter(int k) {
     constexpr std::array digits{"₀", "₁", "₂", "₃"};
-    return std::string("e") + digits[static_cast<std::size_t>(k)];
+    return std::string("e") + digits[at(k)];
 }
 
 std::string in_unicode(const std::string& latex) { return math::write_plain(math::own_math(latex)); }
@@ -119,35 +140,17 @@ std::string in_unicode(const std::string& latex) { return math::write_plain(math
 
 const char* axis_name(int component) {
     constexpr std::array names{"x", "y", "z"};
-    return names[static_cast<std::size_t>(component)];
+    return names[at(component)];
 }
 
-const char* name_of_choice(CoordinateChoice choice) {
-    switch (choice) {
-        case CoordinateChoice::true_euler_parameters: return "rp";
-        case CoordinateChoice::modified_euler_parameters: return "rp-modified";
-        case CoordinateChoice::omega_local: return "omega-local";
-        case CoordinateChoice::omega_global: break;
-    }
-    return "omega-global";
-}
+const char* name_of_choice(CoordinateChoice choice) { return word_of(kChoices, choice); }
 
-const char* name_of_form(ParallelForm form) {
-    switch (form) {
-        case ParallelForm::rule: return "rule";
-        case ParallelForm::drop_x: return "drop x";
-        case ParallelForm::drop_y: return "drop y";
-        case ParallelForm::drop_z: return "drop z";
-        case ParallelForm::all_three: return "all three";
-        case ParallelForm::pair: break;
-    }
-    return "pair";
-}
+const char* name_of_form(ParallelForm form) { return word_of(kParallelForms, form); }
 
 std::string name_of_role(Role role, ParallelForm form) { return primitive_name(role, form); }
 
 EquationText equation_text(const System& system, const Constraint& constraint) {
-    const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(constraint.joint)];
+    const Joint& joint = system.mechanism().joints[at(constraint.joint)];
     EquationText text;
     text.primitive = name_of_role(constraint.role, joint.parallel_form);
     text.formula = formula_of(constraint.role, joint);
@@ -183,58 +186,31 @@ EquationText driver_text(const Driver& driver) {
         driver.measure);
 }
 
+const Constraint* constraint_of(const System& system, int row) {
+    const RowOrigin origin = system.origin(row);
+    return origin.kind == RowOrigin::Kind::constraint ? &system.constraints()[at(origin.index)] : nullptr;
+}
+
 std::string component_name(const Constraint& constraint, int component) {
     return component_name(constraint.equations, component);
 }
 
 std::string short_row_label(const System& system, int row) {
-    const RowOrigin origin = system.origin(row);
-    switch (origin.kind) {
-        case RowOrigin::Kind::constraint: {
-            const Constraint& c = constraint_of(system, origin);
-            const Joint& joint = system.mechanism().joints[static_cast<std::size_t>(c.joint)];
-            const std::string component = component_name(c, origin.component);
-            return name_of_role(c.role, joint.parallel_form) + (component.empty() ? "" : " " + component);
-        }
-        case RowOrigin::Kind::driver: return "f(t)";
-        case RowOrigin::Kind::normalisation: break;
-    }
-    return "pᵀp";
+    const auto [owner, equation, component] = names_of(system, row);
+    return equation + (component.empty() ? "" : " " + component);
 }
 
-std::string row_owner(const System& system, int row) {
-    const RowOrigin origin = system.origin(row);
-    const Mechanism& mechanism = system.mechanism();
-    switch (origin.kind) {
-        case RowOrigin::Kind::constraint:
-            return mechanism.joints[static_cast<std::size_t>(constraint_of(system, origin).joint)].name;
-        case RowOrigin::Kind::driver: {
-            const DriverConstraint& d = system.drivers()[static_cast<std::size_t>(origin.index)];
-            return mechanism.drivers[static_cast<std::size_t>(d.driver)].name;
-        }
-        case RowOrigin::Kind::normalisation: break;
-    }
-    return mechanism.bodies[static_cast<std::size_t>(origin.index)].name;
-}
+std::string row_owner(const System& system, int row) { return names_of(system, row).owner; }
 
 std::string row_label(const System& system, int row) {
-    const RowOrigin origin = system.origin(row);
-    const Mechanism& mechanism = system.mechanism();
-    switch (origin.kind) {
-        case RowOrigin::Kind::constraint: {
-            const Constraint& c = constraint_of(system, origin);
-            const Joint& joint = mechanism.joints[static_cast<std::size_t>(c.joint)];
-            const std::string component = component_name(c, origin.component);
-            return joint.name + " · " + name_of_role(c.role, joint.parallel_form) +
-                   (component.empty() ? "" : " · " + component);
-        }
-        case RowOrigin::Kind::driver: {
-            const DriverConstraint& d = system.drivers()[static_cast<std::size_t>(origin.index)];
-            return mechanism.drivers[static_cast<std::size_t>(d.driver)].name;
-        }
+    const auto [owner, equation, component] = names_of(system, row);
+    switch (system.origin(row).kind) {
+        case RowOrigin::Kind::constraint:
+            return owner + " · " + equation + (component.empty() ? "" : " · " + component);
+        case RowOrigin::Kind::driver: return owner;
         case RowOrigin::Kind::normalisation: break;
     }
-    return mechanism.bodies[static_cast<std::size_t>(origin.index)].name + " · pᵀp − 1";
+    return owner + " · pᵀp − 1";
 }
 
 std::vector<ColumnName> column_names(const System& system, CoordinateChoice choice) {
@@ -244,7 +220,7 @@ std::vector<ColumnName> column_names(const System& system, CoordinateChoice choi
                        choice == CoordinateChoice::modified_euler_parameters;
     const bool local = choice == CoordinateChoice::omega_local;
     for (const int body : system.moving_bodies()) {
-        const std::string& owner = mechanism.bodies[static_cast<std::size_t>(body)].name;
+        const std::string& owner = mechanism.bodies[at(body)].name;
         for (int k = 0; k < 3; ++k) { names.push_back({owner, axis_name(k), axis_name(k)}); }
         for (int k = 0; euler && k < 4; ++k) {
             names.push_back({owner, "e" + std::to_string(k), euler_parameter(k)});

@@ -19,6 +19,9 @@ std::string name_of_role(Role role, ParallelForm form);
 EquationText equation_text(const System& system, const Constraint& constraint);
 EquationText driver_text(const Driver& driver);
 
+/// The constraint that a row belongs to; nullptr for a row of a driver or a normalisation.
+const Constraint* constraint_of(const System& system, int row);
+
 /// "hinge · p1 · y"
 std::string row_label(const System& system, int row);
 /// The joint, driver or body that a row belongs to.

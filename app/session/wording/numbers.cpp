@@ -13,6 +13,15 @@ namespace {
 // below this a number of a scene in metres and radians is rounding
 constexpr double kRounding = 1e-15;
 
+/// "a, b" of a, b and c; a single item itself.
+std::string all_but_last(const std::vector<std::string>& items) {
+    std::string text = items.empty() ? "" : items.front();
+    for (std::size_t k = 1; k + 1 < items.size(); ++k) { text = tr("{0}, {1}", text, items[k]); }
+    return text;
+}
+
+constexpr Eigen::Index kMostEntries = 8;  ///< in a row or a column: more are not read in a tip
+
 }  // namespace
 
 std::string number_text(double value, int digits) {
@@ -50,22 +59,42 @@ std::string count_text(int count, const std::string& singular, const std::string
 }
 
 std::string listed(const std::vector<std::string>& items) {
-    if (items.empty()) { return {}; }
-    std::string text = items.front();
-    for (std::size_t k = 1; k + 1 < items.size(); ++k) { text = tr("{0}, {1}", text, items[k]); }
-    return items.size() == 1 ? text : tr("{0} and {1}", text, items.back());
+    const std::string text = all_but_last(items);
+    return items.size() < 2 ? text : tr("{0} and {1}", text, items.back());
 }
 
 std::string alternatives(const std::vector<std::string>& items) {
-    if (items.empty()) { return {}; }
-    std::string text = items.front();
-    for (std::size_t k = 1; k + 1 < items.size(); ++k) { text = tr("{0}, {1}", text, items[k]); }
-    return items.size() == 1 ? text : tr("{0} or {1}", text, items.back());
+    const std::string text = all_but_last(items);
+    return items.size() < 2 ? text : tr("{0} or {1}", text, items.back());
 }
 
 std::string followed(const std::string& sentence, const std::string& next) {
     if (sentence.empty() || next.empty()) { return sentence + next; }
     return tr("{0} {1}", sentence, next);
+}
+
+std::string number_markup(double value, int digits) {
+    if (std::isnan(value)) { return "\\text{" + number_text(value) + "}"; }
+    if (std::isinf(value)) { return value > 0.0 ? "\\infty" : "-\\infty"; }
+    const std::string text = number_text(value, digits);
+    const std::size_t e = text.find('e');
+    if (e == std::string::npos) { return text; }
+    return text.substr(0, e) + " \\cdot 10^{" + std::to_string(std::stoi(text.substr(e + 1))) + "}";
+}
+
+std::string matrix_markup(const MatrixX& values, int digits) {
+    if (values.size() == 1) { return number_markup(values(0, 0), digits); }
+    if (values.rows() > kMostEntries || values.cols() > kMostEntries) {
+        return "\\text{" + tr("a matrix of {0} rows and {1} columns", values.rows(), values.cols()) + "}";
+    }
+    std::string text = "\\begin{bmatrix}";
+    for (Eigen::Index row = 0; row < values.rows(); ++row) {
+        text += row == 0 ? " " : " \\\\ ";
+        for (Eigen::Index column = 0; column < values.cols(); ++column) {
+            text += (column == 0 ? "" : " & ") + number_markup(values(row, column), digits);
+        }
+    }
+    return text + " \\end{bmatrix}";
 }
 
 }  // namespace jw

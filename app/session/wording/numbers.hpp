@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -21,11 +22,26 @@ std::string small_text(double value);
 std::string vector_text(const Vec3& v, int digits = 4);
 /// "1 equation", "3 equations"
 std::string count_text(int count, const std::string& singular, const std::string& plural = {});
+/// What `text_of` makes of each item, with `between` between two of them: "a, b, c"
+template <class Items, class TextOf = std::identity>
+std::string joined(const Items& items, const std::string& between, TextOf text_of = {}) {
+    std::string text;
+    for (const auto& item : items) { text += (text.empty() ? "" : between) + text_of(item); }
+    return text;
+}
+
 /// "a, b and c"
 std::string listed(const std::vector<std::string>& items);
 /// "a, b or c".
 std::string alternatives(const std::vector<std::string>& items);
 /// Two sentences, one after the other; either may be empty.
 std::string followed(const std::string& sentence, const std::string& next);
+
+/// "0.25", "1.2 \cdot 10^{-7}"
+std::string number_markup(double value, int digits = 4);
+
+/// A matrix in brackets; a matrix with one entry is a number. If it has more than eight rows or columns, its
+/// size in words, in \text.
+std::string matrix_markup(const MatrixX& values, int digits = 4);
 
 }  // namespace jw

@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 
 #include "app/session/output/describe.hpp"
-#include "app/session/output/describe_inspection.hpp"
 #include "app/session/try/session.hpp"
 #include "app/session/view/inspection.hpp"
 #include "lessons/files/catalogue.hpp"

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <ranges>
 
-#include "app/session/output/describe_inspection.hpp"
+#include "app/session/output/describe.hpp"
 #include "app/session/view/view.hpp"
 #include "tests/app/session/catalogue_lessons.hpp"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/session/picture/picture_camera.hpp"
-#include "app/session/picture/picture_shapes.hpp"
+#include "app/session/picture/picture.hpp"
+#include "app/session/picture/picture_parts.hpp"
 #include "tests/app/session/picture_lessons.hpp"
 #include "tests/support/grown_mechanisms.hpp"
 #include "tests/support/random_nets.hpp"

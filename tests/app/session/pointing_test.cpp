@@ -6,8 +6,8 @@
 #include <numbers>
 #include <set>
 
-#include "app/session/answers/judged_answer.hpp"
-#include "app/session/picture/pointed_thing.hpp"
+#include "app/session/answers/right_answer.hpp"
+#include "app/session/picture/pointable.hpp"
 #include "app/session/try/session.hpp"
 #include "core/equations/assembler.hpp"
 #include "lessons/files/catalogue.hpp"

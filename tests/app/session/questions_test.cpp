@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/session/answers/judged_answer.hpp"
+#include "app/session/answers/right_answer.hpp"
 #include "app/session/output/describe.hpp"
 #include "app/session/view/view.hpp"
 #include "lessons/files/catalogue.hpp"

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "app/session/output/symbol_tip.hpp"
+#include "app/session/output/describe.hpp"
 #include "app/session/picture/pointable.hpp"
 #include "lessons/formula/symbol_values.hpp"
 #include "lessons/math/text_parts.hpp"

@@ -1,4 +1,4 @@
-#include "app/session/try/tried.hpp"
+#include "app/session/try/experiments.hpp"
 
 #include <catch2/catch.hpp>
 
