@@ -9,7 +9,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include "app/host/guarded_screen.hpp"
+#include "app/host/screen.hpp"
 #include "render/gl/gl_functions.hpp"
 #include "render/surface/mesa_settings.hpp"
 
@@ -108,19 +108,7 @@ Key key_of(int glfw) {
 Key letter_of(int glfw, int scancode) {
     const char* const name = glfwGetKeyName(glfw, scancode);
     if (name == nullptr || name[1] != '\0') { return Key::none; }
-    switch (name[0]) {
-        case 'a': return Key::a;
-        case 'c': return Key::c;
-        case 'o': return Key::o;
-        case 'q': return Key::q;
-        case 'r': return Key::r;
-        case 's': return Key::s;
-        case 'v': return Key::v;
-        case 'x': return Key::x;
-        case 'y': return Key::y;
-        case 'z': return Key::z;
-        default: return Key::none;
-    }
+    return host::key_of_letter(name[0]);
 }
 
 Host& host_of(GLFWwindow* window) { return *static_cast<Host*>(glfwGetWindowUserPointer(window)); }

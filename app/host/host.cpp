@@ -9,6 +9,8 @@
 #include "app/host/parts/browser.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/characters.hpp"
+#include "app/session/output/describe.hpp"
+#include "app/session/output/json.hpp"
 #include "app/session/story/timeline.hpp"
 #include "app/session/try/carry_out.hpp"
 #include "app/session/wording/messages.hpp"
@@ -38,6 +40,17 @@ float way_of(Key key) {
         case Key::page_up: return -0.9F;
         default: return 0.0F;
     }
+}
+
+// a screen reader reads line by line: lines must not be long
+constexpr int kDescribedWidth = 100;
+
+/// Words of the tab, and of the step unless the figure of an exercise is shown: the lesson must not give away
+/// the answer.
+std::string text_of(const Host& host) {
+    std::string text;
+    if (host.state().tab == Tab::exercises) { text = host.exercise_text() + '\n'; }
+    return host.shows_figure() ? text : text + describe(host.session()->view(), kDescribedWidth);
 }
 
 }  // namespace
@@ -99,14 +112,10 @@ void Host::take(LessonFile file, std::unique_ptr<Session> session) {
     file_ = std::move(file);
     const std::filesystem::path path = file_.path();
     name_ = shelf_.name_of(path);
-    wanted_exercise_.clear();
     shelf_.add_recent(path);
     need_characters_of_lesson();
     state_.browser = false;
-    state_.playback.stop();
-    state_.forget_pointed();
-    state_.experiment_joint = -1;
-    state_.experiment_driver = 0;
+    state_.forget_lesson();
     shown_.forget_session();
     hand_.let_go();
     pulled_.reset();
@@ -196,7 +205,11 @@ void Host::frame(double seconds) {
     if (is_telling() && telling_.is_done()) { go_on_waiting(); }
     for (const InputEvent& event : events_.take()) {
         feed(io, event);
-        if (!act_while_telling(event)) { act_on(event); }
+        if (!is_telling()) {
+            act_on(event);
+        } else if (event.key == Key::escape && event.down) {
+            stop_telling();
+        }
     }
     need_characters_of_exercises();
     if (std::exchange(new_text_scale_, false) || fonts_.lack_characters()) {
@@ -271,6 +284,33 @@ std::filesystem::path Host::task_path() const {
 void Host::done(const std::string& message) {
     task_ = DrawingTask::none;
     say(message);
+}
+
+std::string state_text(const Host& host) {
+    Json json;
+    json["shows_lesson"] = host.shows_lesson();
+    json["language"] = language();
+    json["dark"] = host.state().dark;
+    json["text_scale"] = host.state().text_scale;
+    json["notice"] = host.is_telling() ? words_of_waiting() : host.notice().text();
+    json["mistakes"] = host.notice().mistakes();
+    if (host.is_telling()) { json["told_part"] = host.told_part(); }
+    if (!host.shows_lesson()) { return json.dump(); }
+    const Session& session = *host.session();
+    json["title"] = session.lesson().title;
+    json["file"] = session.lesson().file_name;
+    json["changed"] = session.is_changed();
+    json["in_hand"] = session.in_hand();
+    json["tried"] = session.tried();
+    json["step"] = session.index();
+    json["tab"] = word_of(kTabs, host.state().tab);
+    const render::Camera& camera = host.camera();
+    json["camera"] = Json::array();
+    for (const render::Vector3d& part : {camera.eye, camera.target, camera.up}) {
+        for (int k = 0; k < 3; ++k) { json["camera"].push_back(part(k)); }
+    }
+    json["text"] = text_of(host);
+    return json.dump();
 }
 
 }  // namespace jw::host

@@ -9,10 +9,8 @@
 
 #include "app/host/lesson/address.hpp"
 #include "app/host/lesson/background_story.hpp"
-#include "app/host/lesson/lesson_file.hpp"
-#include "app/host/lesson/lesson_list.hpp"
+#include "app/host/lesson/catalogue.hpp"
 #include "app/host/lesson/saving.hpp"
-#include "app/host/lesson/unsaved.hpp"
 #include "app/host/parts/exercise_desk.hpp"
 #include "app/host/parts/notice.hpp"
 #include "app/host/parts/predictions.hpp"
@@ -77,7 +75,7 @@ public:
     /// only possible action is to cancel, by Escape or a button.
     bool is_telling() const { return telling_.is_busy(); }
     /// Fraction of the story that has been computed, from 0 to 1.
-    double told_part() const { return is_telling() ? telling_.progress() : 1.0; }
+    double told_part() const { return telling_.progress(); }
     /// Number of stories that were computed in the background, for tests.
     int stories_begun_in_background() const { return telling_.begun_in_background(); }
     /// Waits for the story, and carries out the actions that need it.
@@ -189,15 +187,11 @@ private:
     void go_on_waiting();
     void give_up_waiting();
     void stop_telling();
-    bool act_while_telling(const InputEvent& event);
-    void pull_while_telling(const Experiment& experiment);
     Storyteller storyteller();
 
     // exercises (host_exercises.cpp)
     OpenLesson open_lesson() { return {file_, session_, storyteller()}; }
     void look_at_exercises();
-    bool choose_exercise(const std::string& name);
-    void begin_wanted_exercise();
     bool act_in_exercises(const InputEvent& event);
     void carry_out_exercises(const Requests& requests);
     void carry_out_exercise(Command command);
@@ -225,7 +219,6 @@ private:
     BackgroundStories telling_;
     std::deque<std::function<void()>> waiting_;  ///< the first waits for its story, the others for their turn
     std::optional<Experiment> pulled_;           ///< last value of a slider moved while a story was computed
-    std::string wanted_exercise_;                ///< named by an address, until it begins; usually empty
     bool shown_figure_ = false;                  ///< in the previous frame
 
     DrawingTask task_ = DrawingTask::none;

@@ -91,7 +91,7 @@ void Host::arrive_in_lesson(const Address& address) {
     if (session_->story().chosen_joint() != place.joint) { session_->show_joint(place.joint); }
     state_.tab = tab;
     if (tab == Tab::exercises) { desk_.practice().leave(); }
-    wanted_exercise_ = address.exercise;
+    desk_.want(address.exercise);
     state_.browser = false;
     state_.playback.stop();
     state_.forget_pointed();

@@ -1,16 +1,17 @@
 #include <algorithm>
+#include <variant>
 
 #include <imgui.h>
 
 #include "app/host/host.hpp"
+#include "app/host/parts/bar_buttons.hpp"
 #include "app/host/parts/browser.hpp"
-#include "app/host/parts/menu.hpp"
 #include "app/host/parts/pointed.hpp"
 #include "app/host/parts/timeline_bar.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/frame/annotations.hpp"
-#include "app/panels/frame/caption.hpp"
-#include "app/panels/parts/tip.hpp"
+#include "app/panels/frame/frame.hpp"
+#include "app/panels/parts/rich_text.hpp"
 
 namespace jw::host {
 
@@ -38,7 +39,12 @@ void Host::draw_interface() {
     notice_.draw(ui, room, session_ != nullptr);
     help_overlay(ui, layout_.whole);
     if (!is_telling()) { return carry_out(std::move(requests)); }
-    for (const Experiment& experiment : requests.experiments) { pull_while_telling(experiment); }
+    // the value of a slider that is still held is applied when the story has been computed
+    for (const Experiment& experiment : requests.experiments) {
+        const bool is_slider =
+            std::holds_alternative<SetGeometry>(experiment) || std::holds_alternative<SetDriver>(experiment);
+        if (is_slider) { pulled_ = experiment; }
+    }
     if (waiting_sheet(ui, layout_.whole, told_part())) { stop_telling(); }
 }
 

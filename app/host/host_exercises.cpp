@@ -1,11 +1,10 @@
-#include <algorithm>
 #include <utility>
 
 #include <imgui.h>
 
 #include "app/host/host.hpp"
 #include "app/host/parts/notice.hpp"
-#include "app/panels/frame/caption.hpp"
+#include "app/panels/frame/frame.hpp"
 #include "app/session/wording/messages.hpp"
 
 namespace jw::host {
@@ -20,13 +19,15 @@ void Host::look_at_exercises() {
     const ExerciseDesk::News news = desk_.look(open_lesson(), tabs_.exercises);
     if (news.any || news.other_picture) { rouse(); }
     say(desk_.practice().take_notice());
-    begin_wanted_exercise();
+    if (shows_lesson() && state_.tab == Tab::exercises && !desk_.practice().is_busy()) {
+        if (const std::string name = desk_.take_wanted(); !name.empty()) {
+            if (!desk_.choose(name)) { notice_.blame_address(tr("the lesson has no exercise '{0}'", name)); }
+            rouse();
+        }
+    }
     if (news.other_picture) {
         shown_.forget_session();
-        state_.forget_pointed();
-        state_.playback.stop();
-        state_.experiment_joint = -1;
-        state_.experiment_driver = 0;
+        state_.forget_lesson();
         notice_.blame("");
         tabs_.newton = {};
         tabs_.plot = {};
@@ -45,30 +46,12 @@ void Host::wait_for_exercises() {
     }
 }
 
-bool Host::choose_exercise(const std::string& name) {
-    const std::vector<PracticeExercise>& all = desk_.practice().exercises();
-    const auto found =
-        std::ranges::find(all, name, [](const PracticeExercise& e) { return e.exercise->name; });
-    if (found == all.end()) { return false; }
-    desk_.practice().choose(static_cast<int>(found - all.begin()));
-    return true;
-}
-
 bool Host::begin_exercise(const std::string& name) {
     state_.tab = Tab::exercises;
     wait_for_exercises();
-    if (!choose_exercise(name)) { return false; }
+    if (!desk_.choose(name)) { return false; }
     wait_for_exercises();
     return true;
-}
-
-/// Begins the exercise that an address has named, when the exercises of its lesson have been read.
-void Host::begin_wanted_exercise() {
-    if (wanted_exercise_.empty() || state_.tab != Tab::exercises || !shows_lesson()) { return; }
-    if (desk_.practice().is_busy()) { return; }
-    const std::string name = std::exchange(wanted_exercise_, {});
-    if (!choose_exercise(name)) { notice_.blame_address(tr("the lesson has no exercise '{0}'", name)); }
-    rouse();
 }
 
 bool Host::act_in_exercises(const InputEvent& event) {

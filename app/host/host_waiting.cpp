@@ -1,6 +1,5 @@
 #include <new>
 #include <utility>
-#include <variant>
 
 #include <imgui.h>
 
@@ -55,20 +54,6 @@ void Host::give_up_waiting() {
 void Host::stop_telling() {
     give_up_waiting();
     say(tr("Stopped."));
-}
-
-/// @return true if the event must not be used for anything else
-bool Host::act_while_telling(const InputEvent& event) {
-    if (!is_telling()) { return false; }
-    if (event.key == Key::escape && event.down) { stop_telling(); }
-    return true;
-}
-
-/// Remembers the value of a slider that is still held, to apply it when the story has been computed.
-void Host::pull_while_telling(const Experiment& experiment) {
-    const bool is_slider =
-        std::holds_alternative<SetGeometry>(experiment) || std::holds_alternative<SetDriver>(experiment);
-    if (is_slider) { pulled_ = experiment; }
 }
 
 void Host::wait_for_story() {

@@ -9,9 +9,7 @@
 
 #include "app/session/background/worker.hpp"
 #include "app/web/browser.hpp"
-#include "app/web/keys.hpp"
 #include "app/web/page.hpp"
-#include "app/web/page_words.hpp"
 
 /// The functions that page.js calls. None of them throws: errors are returned as text.
 namespace {

@@ -12,7 +12,6 @@
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/web/browser.hpp"
-#include "app/web/webgl_context.hpp"
 #include "lessons/files/catalogue.hpp"
 #include "lessons/read/reader.hpp"
 
@@ -60,6 +59,32 @@ void use_clipboard() {
 
 /// Pixel of the canvas where the letter that is typed next will appear.
 std::array<int, 2> next_letter{};
+
+constexpr std::array kWords{
+    tr_later("Lessons"),
+    tr_later("Step back"),
+    tr_later("Next step"),
+    tr_later("Play"),
+    tr_later("Fit"),
+    tr_later("Undo"),
+    tr_later("Redo"),
+    tr_later("Edit the text"),
+    tr_later("Copy link"),
+    tr_later("Text of the step"),
+    tr_later("Full screen"),
+    tr_later("Keys"),
+    tr_later("Stop"),
+    tr_later("Open …"),
+    tr_later("Save"),
+    tr_later("Close"),
+    tr_later("A link to what you see was copied."),
+    tr_later("The browser does not let this page write into the clipboard."),
+    tr_later("Reload the page to see the letters of this language."),
+    tr_later("The graphics card is not available at the moment; waiting for it."),
+    tr_later(
+        "The browser cannot store more: its storage is full or not allowed. Save what you need as a file."),
+    tr_later("The list of lessons is shown. Arrows choose, Enter opens."),
+};
 
 }  // namespace
 
@@ -137,6 +162,12 @@ std::string mistakes_of(const std::string& text, const std::string& file_name) {
              {"message", mistake.message + (mistake.hint.empty() ? "" : "\n" + mistake.hint)}});
     }
     return json_document(list);
+}
+
+std::string words_of_page() {
+    Json words = Json::object();
+    for (const char* english : kWords) { words[english] = tr(english); }
+    return json_document(words, -1);
 }
 
 }  // namespace jw::web

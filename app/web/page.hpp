@@ -3,10 +3,11 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/host/guarded_screen.hpp"
 #include "app/host/host.hpp"
+#include "app/host/screen.hpp"
 #include "render/surface/headless_context.hpp"
 
 /// The interface in a web page: the host, a canvas, and files in the memory of the page.
@@ -69,7 +70,19 @@ private:
     double since_frame_ = 0.0;  ///< [s]
 };
 
+/// Key of a keyboard event of a page. @param name  its `key`, such as "ArrowLeft", "a" or "F5"
+host::Key key_of(std::string_view name);
+
 /// Mistakes and warnings of a lesson's text, as JSON: a list of line, column, severity and message.
 std::string mistakes_of(const std::string& text, const std::string& file_name);
+
+/// Words of the page around the picture, in the current language: JSON with the English words, which are in
+/// the files of the page, as keys.
+std::string words_of_page();
+
+/// WebGL 2 context of the page's canvas, which shows the default framebuffer of the context.
+/// @param canvas  its CSS selector
+/// @throws std::runtime_error if the browser has no WebGL 2
+std::unique_ptr<render::HeadlessContext> make_webgl_context(const char* canvas);
 
 }  // namespace jw::web

@@ -1,4 +1,4 @@
-#include "app/web/webgl_context.hpp"
+#include "app/web/page.hpp"
 
 #include <stdexcept>
 #include <string_view>

@@ -8,12 +8,8 @@ namespace jw::render {
 
 namespace {
 
-std::size_t place(const Image& image, int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-}
-
 bool are_equal(const Image& a, const Image& b, int x, int y, int count) {
-    const std::size_t at = place(a, x, y);
+    const std::size_t at = a.place(x, y);
     const auto pixels = static_cast<std::size_t>(count);
     return std::equal(&a.rgb[3 * at], &a.rgb[3 * at] + 3 * pixels, &b.rgb[3 * at]) &&
            (a.alpha.empty() || std::equal(&a.alpha[at], &a.alpha[at] + pixels, &b.alpha[at]));
@@ -54,7 +50,7 @@ std::optional<PixelArea> changed_area(const Image& before, const Image& now) {
 Image cut_out(const Image& image, const PixelArea& area) {
     Image part{area.width, area.height, {}, {}};
     for (int y = area.y; y < area.y + area.height; ++y) {
-        const auto at = static_cast<std::ptrdiff_t>(place(image, area.x, y));
+        const auto at = static_cast<std::ptrdiff_t>(image.place(area.x, y));
         const auto row = image.rgb.begin() + 3 * at;
         part.rgb.insert(part.rgb.end(), row, row + 3 * area.width);
         if (image.alpha.empty()) { continue; }
@@ -69,7 +65,7 @@ Image changes_within(const PixelArea& area, const Image& before, const Image& no
     for (int y = 0; y < area.height; ++y) {
         for (int x = 0; x < area.width; ++x) {
             if (!are_equal(before, now, area.x + x, area.y + y, 1)) { continue; }
-            const std::size_t at = place(changes, x, y);
+            const std::size_t at = changes.place(x, y);
             std::fill_n(&changes.rgb[3 * at], 3, std::uint8_t{0});
             changes.alpha[at] = 0;
         }

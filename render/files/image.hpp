@@ -16,12 +16,12 @@ struct Image {
 
     bool operator==(const Image&) const = default;
 
-    /// The three channels of a pixel; x and y must lie inside.
-    const std::uint8_t* at(int x, int y) const {
-        return &rgb
-            [3 *
-             (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
+    /// Number of a pixel in its order; x and y must lie inside.
+    std::size_t place(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
+    /// The three channels of a pixel.
+    const std::uint8_t* at(int x, int y) const { return &rgb[3 * place(x, y)]; }
 };
 
 }  // namespace jw::render

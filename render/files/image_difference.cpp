@@ -147,10 +147,7 @@ Image marked_picture(const Image& base, const PixelMask& mask) {
     Image picture = base;
     for (int y = 0; y < base.height; ++y) {
         for (int x = 0; x < base.width; ++x) {
-            std::uint8_t* const pixel =
-                &picture.rgb
-                     [3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(base.width) +
-                           static_cast<std::size_t>(x))];
+            std::uint8_t* const pixel = &picture.rgb[3 * base.place(x, y)];
             const auto pale = static_cast<std::uint8_t>(160.0 + 0.37 * luminance(base.at(x, y)));
             for (std::size_t channel = 0; channel < 3; ++channel) {
                 pixel[channel] = mask.at(x, y) ? kMark[channel] : pale;

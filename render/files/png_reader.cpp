@@ -36,18 +36,20 @@ int length_of(std::span<const std::uint8_t> bytes, const std::string& name) {
     return static_cast<int>(bytes.size());
 }
 
-}  // namespace
-
-std::array<int, 2> size_of_png(std::span<const std::uint8_t> bytes, const std::string& name) {
-    std::array<int, 2> size{};
+struct Info {
+    int width = 0;
+    int height = 0;
     int channels = 0;
-    if (stbi_info_from_memory(bytes.data(), length_of(bytes, name), &size[0], &size[1], &channels) == 0) {
+};
+
+Info info_of(std::span<const std::uint8_t> bytes, const std::string& name) {
+    Info info;
+    const int length = length_of(bytes, name);
+    if (stbi_info_from_memory(bytes.data(), length, &info.width, &info.height, &info.channels) == 0) {
         fail(name, stbi_failure_reason());
     }
-    return size;
+    return info;
 }
-
-namespace {
 
 using Pixels = std::unique_ptr<unsigned char, Free>;
 
@@ -68,18 +70,18 @@ Image transparent(const Pixels& rgba, int width, int height) {
 
 }  // namespace
 
+std::array<int, 2> size_of_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+    const Info info = info_of(bytes, name);
+    return {info.width, info.height};
+}
+
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, Alpha alpha) {
     if (const std::string fault = fault_of_png(bytes); !fault.empty()) { fail(name, fault); }
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    const int length = length_of(bytes, name);
-    if (stbi_info_from_memory(bytes.data(), length, &width, &height, &channels) == 0) {
-        fail(name, stbi_failure_reason());
-    }
+    auto [width, height, channels] = info_of(bytes, name);
     const bool keeps_alpha = alpha == Alpha::kept && (channels == 2 || channels == 4);
     const Pixels pixels(stbi_load_from_memory(
-        bytes.data(), length, &width, &height, &channels, keeps_alpha ? STBI_rgb_alpha : STBI_rgb));
+        bytes.data(), length_of(bytes, name), &width, &height, &channels,
+        keeps_alpha ? STBI_rgb_alpha : STBI_rgb));
     if (!pixels) { fail(name, stbi_failure_reason()); }
     return keeps_alpha ? transparent(pixels, width, height) : opaque(pixels, width, height);
 }

@@ -72,6 +72,16 @@ struct VectorPicture::Surface {
             static_cast<double>(colour.b), static_cast<double>(colour.a));
     }
 
+    void fill(const Colour& colour) const {
+        set(colour);
+        cairo_fill(cairo);
+    }
+    void stroke(const Colour& colour, double thickness) const {
+        set(colour);
+        cairo_set_line_width(cairo, thickness);
+        cairo_stroke(cairo);
+    }
+
     void rectangle(Point corner, double width, double height, double rounding) const {
         const double r = std::min({rounding, 0.5 * width, 0.5 * height});
         if (r <= 0.0) {
@@ -109,51 +119,41 @@ VectorPicture::VectorPicture(VectorFormat format, int width, int height)
 VectorPicture::~VectorPicture() = default;
 
 void VectorPicture::fill(Point corner, double width, double height, const Colour& colour, double rounding) {
-    surface_->set(colour);
     surface_->rectangle(corner, width, height, rounding);
-    cairo_fill(surface_->cairo);
+    surface_->fill(colour);
 }
 
 void VectorPicture::outline(
     Point corner, double width, double height, const Colour& colour, double thickness, double rounding) {
-    surface_->set(colour);
     surface_->rectangle(corner, width, height, rounding);
-    cairo_set_line_width(surface_->cairo, thickness);
-    cairo_stroke(surface_->cairo);
+    surface_->stroke(colour, thickness);
 }
 
 void VectorPicture::line(Point from, Point to, const Colour& colour, double thickness) {
-    surface_->set(colour);
-    cairo_set_line_width(surface_->cairo, thickness);
     cairo_move_to(surface_->cairo, from.x, from.y);
     cairo_line_to(surface_->cairo, to.x, to.y);
-    cairo_stroke(surface_->cairo);
+    surface_->stroke(colour, thickness);
 }
 
 void VectorPicture::disc(Point centre, double radius, const Colour& colour) {
-    surface_->set(colour);
     cairo_arc(surface_->cairo, centre.x, centre.y, radius, 0.0, 4.0 * kQuarter);
-    cairo_fill(surface_->cairo);
+    surface_->fill(colour);
 }
 
 void VectorPicture::ring(Point centre, double radius, const Colour& colour, double thickness) {
-    surface_->set(colour);
-    cairo_set_line_width(surface_->cairo, thickness);
     cairo_new_sub_path(surface_->cairo);
     cairo_arc(surface_->cairo, centre.x, centre.y, radius, 0.0, 4.0 * kQuarter);
-    cairo_stroke(surface_->cairo);
+    surface_->stroke(colour, thickness);
 }
 
 void VectorPicture::triangle(const std::array<Point, 3>& corners, const std::array<Colour, 3>& colours) {
     const bool even = colours[0] == colours[1] && colours[1] == colours[2];
     if (even) {
-        surface_->set(colours[0]);
         cairo_move_to(surface_->cairo, corners[0].x, corners[0].y);
         cairo_line_to(surface_->cairo, corners[1].x, corners[1].y);
         cairo_line_to(surface_->cairo, corners[2].x, corners[2].y);
         cairo_close_path(surface_->cairo);
-        cairo_fill(surface_->cairo);
-        return;
+        return surface_->fill(colours[0]);
     }
     cairo_pattern_t* const mesh = cairo_pattern_create_mesh();
     cairo_mesh_pattern_begin_patch(mesh);

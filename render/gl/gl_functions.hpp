@@ -89,7 +89,7 @@ namespace jw::render {
 // clang-format on
 
 /// Kinds of OpenGL for drawing pictures. They differ in the first lines of shaders (gl_objects.cpp) and in
-/// the averaging of samples (sample_mean.cpp, render_targets.cpp); only the first can read depth.
+/// the averaging of samples (render_targets.cpp); only the first can read depth.
 enum class GlProfile {
     core_33,  ///< OpenGL 3.3 core
     es_30,    ///< OpenGL ES 3.0, which WebGL 2 is
@@ -113,5 +113,13 @@ GlFunctions load_gl_functions(GlLoader loader);
 /// Name of the renderer of the current context, such as "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile)
 /// Mesa 22.3.6".
 std::string renderer_name(const GlFunctions& gl);
+
+/// Reads and clears all waiting errors. GL keeps errors until they are read, whichever call caused them: read
+/// at the end of a frame, they are not blamed on a call of the next one. The context must be current.
+/// @return the first of them in words, "OpenGL error 0x502 (invalid operation)"; empty if there is none
+std::string take_gl_errors(const GlFunctions& gl);
+
+/// @throws std::runtime_error "`during` failed with OpenGL error ..." if one is waiting
+void throw_on_gl_error(const GlFunctions& gl, const char* during);
 
 }  // namespace jw::render

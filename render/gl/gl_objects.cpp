@@ -1,8 +1,11 @@
 #include "render/gl/gl_objects.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace jw::render {
+
 namespace {
 
 /// First lines of every shader.
@@ -19,6 +22,14 @@ const char* header_of(GlProfile profile) {
     return "";
 }
 
+std::string log_of(GLuint name, PFNGLGETSHADERINFOLOGPROC read) {
+    std::string log(2000, '\0');
+    GLsizei written = 0;
+    read(name, static_cast<GLsizei>(log.size()), &written, log.data());
+    log.resize(static_cast<std::size_t>(written));
+    return log;
+}
+
 GlShader compile(const GlFunctions& gl, GLenum stage, std::string_view title, std::string_view source) {
     GlShader shader(gl, gl.CreateShader(stage));
     const std::string_view header = header_of(gl.profile);
@@ -29,11 +40,9 @@ GlShader compile(const GlFunctions& gl, GLenum stage, std::string_view title, st
     GLint compiled = 0;
     gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
     if (compiled == 0) {
-        std::string log(2000, '\0');
-        GLsizei written = 0;
-        gl.GetShaderInfoLog(shader.name(), static_cast<GLsizei>(log.size()), &written, log.data());
-        log.resize(static_cast<std::size_t>(written));
-        throw std::runtime_error("the graphics driver rejects shader '" + std::string(title) + "': " + log);
+        throw std::runtime_error(
+            "the graphics driver rejects shader '" + std::string(title) +
+            "': " + log_of(shader.name(), gl.GetShaderInfoLog));
     }
     return shader;
 }
@@ -43,34 +52,21 @@ void link(const GlFunctions& gl, GLuint program, std::string_view title) {
     GLint linked = 0;
     gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked == 0) {
-        std::string log(2000, '\0');
-        GLsizei written = 0;
-        gl.GetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &written, log.data());
-        log.resize(static_cast<std::size_t>(written));
         throw std::runtime_error(
-            "the graphics driver cannot link shader '" + std::string(title) + "': " + log);
+            "the graphics driver cannot link shader '" + std::string(title) +
+            "': " + log_of(program, gl.GetProgramInfoLog));
     }
-}
-
-template <class Owner>
-Owner generate(const GlFunctions& gl, void (*function)(GLsizei, GLuint*)) {
-    GLuint name = 0;
-    function(1, &name);
-    return Owner(gl, name);
 }
 
 }  // namespace
 
-GlBuffer make_buffer(const GlFunctions& gl) { return generate<GlBuffer>(gl, gl.GenBuffers); }
-GlFramebuffer make_framebuffer(const GlFunctions& gl) {
-    return generate<GlFramebuffer>(gl, gl.GenFramebuffers);
-}
-GlRenderbuffer make_renderbuffer(const GlFunctions& gl) {
-    return generate<GlRenderbuffer>(gl, gl.GenRenderbuffers);
-}
-GlTexture make_texture(const GlFunctions& gl) { return generate<GlTexture>(gl, gl.GenTextures); }
-GlVertexArray make_vertex_array(const GlFunctions& gl) {
-    return generate<GlVertexArray>(gl, gl.GenVertexArrays);
+GlRenderbuffer attached_renderbuffer(
+    const GlFunctions& gl, GLenum format, GLenum attachment, int samples, int width, int height) {
+    auto buffer = GlRenderbuffer::make(gl);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
+    return buffer;
 }
 
 void copy_part(const GlFunctions& gl, const GlFramebuffer& from, const DeviceRect& part) {
@@ -113,6 +109,37 @@ void GlProgram::set(const char* uniform, const Eigen::Matrix4d& value) const {
 
 void GlProgram::set(const char* uniform, const Colour& value) const {
     gl_->Uniform4f(location(uniform), value.r, value.g, value.b, value.a);
+}
+
+DeviceRect device_rect(const Rect& rect, const FrameSize& frame) {
+    const auto pixels = [&](double length) {
+        return static_cast<int>(std::lround(length * frame.pixel_ratio));
+    };
+    return {
+        pixels(rect.x), pixels(frame.height - rect.y - rect.height), pixels(rect.width), pixels(rect.height)};
+}
+
+DeviceRect device_rect(const Rect& rect, const FrameSize& frame, const FramePart& part) {
+    DeviceRect seen = device_rect(rect, frame);
+    seen.x -= part.x * frame.pixel_ratio;
+    seen.y -= (frame.height - part.y - part.height) * frame.pixel_ratio;
+    return seen;
+}
+
+DeviceRect device_rect(const FramePart& part, const FrameSize& frame) {
+    return {0, 0, part.width * frame.pixel_ratio, part.height * frame.pixel_ratio};
+}
+
+DeviceRect shown_rect(const Rect& rect, const FrameSize& frame, const FramePart& part) {
+    return common_part(device_rect(rect, frame, part), device_rect(part, frame));
+}
+
+DeviceRect common_part(const DeviceRect& a, const DeviceRect& b) {
+    const int left = std::max(a.x, b.x);
+    const int bottom = std::max(a.y, b.y);
+    const int right = std::min(a.x + a.width, b.x + b.width);
+    const int top = std::min(a.y + a.height, b.y + b.height);
+    return {left, bottom, std::max(right - left, 0), std::max(top - bottom, 0)};
 }
 
 }  // namespace jw::render

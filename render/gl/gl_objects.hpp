@@ -2,19 +2,43 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include <Eigen/Core>
 
-#include "render/gl/device_rect.hpp"
 #include "render/gl/gl_functions.hpp"
+#include "render/scene/camera.hpp"
 #include "render/scene/palette.hpp"
 
 /// Owners of GL objects. The context in which they were made must be current when they are destroyed.
 namespace jw::render {
 
-/// One GL name, deleted with its owner. `Delete` gets the table and the name.
-template <void (*Delete)(const GlFunctions&, GLuint)>
+/// Rectangle in pixels of the device, counted from the bottom as in GL.
+struct DeviceRect {
+    int x, y;
+    int width, height;
+
+    bool empty() const { return width < 1 || height < 1; }
+    bool operator==(const DeviceRect&) const = default;
+};
+
+DeviceRect device_rect(const Rect& rect, const FrameSize& frame);
+
+/// A rectangle of the frame in the coordinates of a part's buffers; it may extend beyond them.
+DeviceRect device_rect(const Rect& rect, const FrameSize& frame, const FramePart& part);
+
+/// All pixels of the buffers of a part.
+DeviceRect device_rect(const FramePart& part, const FrameSize& frame);
+
+/// The part of a rectangle of the frame that lies in the buffers of a part.
+DeviceRect shown_rect(const Rect& rect, const FrameSize& frame, const FramePart& part);
+
+/// Intersection; empty if the two do not overlap.
+DeviceRect common_part(const DeviceRect& a, const DeviceRect& b);
+
+/// One GL name, deleted with its owner by the function that `Delete` names in the table.
+template <auto Delete>
 class GlObject {
 public:
     GlObject() = default;
@@ -29,7 +53,12 @@ public:
     GlObject(const GlObject&) = delete;
     GlObject& operator=(const GlObject&) = delete;
     ~GlObject() {
-        if (gl_ != nullptr && name_ != 0) { Delete(*gl_, name_); }
+        if (gl_ == nullptr || name_ == 0) { return; }
+        if constexpr (std::is_invocable_v<decltype(gl_->*Delete), GLuint>) {
+            (gl_->*Delete)(name_);
+        } else {
+            (gl_->*Delete)(1, &name_);
+        }
     }
 
     GLuint name() const { return name_; }
@@ -39,26 +68,28 @@ private:
     GLuint name_ = 0;
 };
 
-inline void delete_buffer(const GlFunctions& gl, GLuint name) { gl.DeleteBuffers(1, &name); }
-inline void delete_framebuffer(const GlFunctions& gl, GLuint name) { gl.DeleteFramebuffers(1, &name); }
-inline void delete_program(const GlFunctions& gl, GLuint name) { gl.DeleteProgram(name); }
-inline void delete_renderbuffer(const GlFunctions& gl, GLuint name) { gl.DeleteRenderbuffers(1, &name); }
-inline void delete_shader(const GlFunctions& gl, GLuint name) { gl.DeleteShader(name); }
-inline void delete_texture(const GlFunctions& gl, GLuint name) { gl.DeleteTextures(1, &name); }
-inline void delete_vertex_array(const GlFunctions& gl, GLuint name) { gl.DeleteVertexArrays(1, &name); }
+/// An object whose name the function `Generate` of the table makes.
+template <auto Generate, auto Delete>
+class GlGenerated : public GlObject<Delete> {
+public:
+    using GlObject<Delete>::GlObject;
+    static GlGenerated make(const GlFunctions& gl) {
+        GLuint name = 0;
+        (gl.*Generate)(1, &name);
+        return GlGenerated(gl, name);
+    }
+};
 
-using GlBuffer = GlObject<delete_buffer>;
-using GlFramebuffer = GlObject<delete_framebuffer>;
-using GlRenderbuffer = GlObject<delete_renderbuffer>;
-using GlShader = GlObject<delete_shader>;
-using GlTexture = GlObject<delete_texture>;
-using GlVertexArray = GlObject<delete_vertex_array>;
+using GlBuffer = GlGenerated<&GlFunctions::GenBuffers, &GlFunctions::DeleteBuffers>;
+using GlFramebuffer = GlGenerated<&GlFunctions::GenFramebuffers, &GlFunctions::DeleteFramebuffers>;
+using GlRenderbuffer = GlGenerated<&GlFunctions::GenRenderbuffers, &GlFunctions::DeleteRenderbuffers>;
+using GlShader = GlObject<&GlFunctions::DeleteShader>;
+using GlTexture = GlGenerated<&GlFunctions::GenTextures, &GlFunctions::DeleteTextures>;
+using GlVertexArray = GlGenerated<&GlFunctions::GenVertexArrays, &GlFunctions::DeleteVertexArrays>;
 
-GlBuffer make_buffer(const GlFunctions& gl);
-GlFramebuffer make_framebuffer(const GlFunctions& gl);
-GlRenderbuffer make_renderbuffer(const GlFunctions& gl);
-GlTexture make_texture(const GlFunctions& gl);
-GlVertexArray make_vertex_array(const GlFunctions& gl);
+/// A new renderbuffer, attached to the bound framebuffer.
+GlRenderbuffer attached_renderbuffer(
+    const GlFunctions& gl, GLenum format, GLenum attachment, int samples, int width, int height);
 
 /// Binds a framebuffer and, when destroyed, the one that was bound before.
 class BoundFramebuffer {
@@ -101,7 +132,7 @@ private:
     GLint location(const char* uniform) const { return gl_->GetUniformLocation(program_.name(), uniform); }
 
     const GlFunctions* gl_;
-    GlObject<delete_program> program_;
+    GlObject<&GlFunctions::DeleteProgram> program_;
 };
 
 }  // namespace jw::render

@@ -5,9 +5,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "render/gl/gl_errors.hpp"
+#include "render/gl/gl_functions.hpp"
+#include "render/gl/shaders.hpp"
 
 namespace jw::render {
+
 namespace {
 
 int integer(const GlFunctions& gl, GLenum name) {
@@ -134,19 +136,18 @@ void RenderTargets::show_part(int x, int y, int frame_width, int frame_height) {
 
 RenderTargets::Target RenderTargets::make_target(int samples, Depth depth) const {
     take_gl_errors(gl_);  // errors of earlier calls are not caused by this one
-    Target target{make_framebuffer(gl_), {}, {}};
+    Target target{GlFramebuffer::make(gl_), {}, {}};
     gl_.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    const auto attached = [&](GLenum format, GLenum attachment) {
+        return attached_renderbuffer(gl_, format, attachment, samples, device_width(), device_height());
+    };
     if (samples > 0 && mean_) {
         gl_.FramebufferTexture2D(
             GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, mean_->texture().name(), 0);
     } else {
-        target.colour = make_renderbuffer(gl_);
-        attach(target.colour, GL_RGBA8, GL_COLOR_ATTACHMENT0, samples);
+        target.colour = attached(GL_RGBA8, GL_COLOR_ATTACHMENT0);
     }
-    if (depth == Depth::with) {
-        target.depth = make_renderbuffer(gl_);
-        attach(target.depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, samples);
-    }
+    if (depth == Depth::with) { target.depth = attached(GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT); }
     throw_on_gl_error(gl_, "making the framebuffer");
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         throw std::runtime_error(
@@ -154,13 +155,6 @@ RenderTargets::Target RenderTargets::make_target(int samples, Depth depth) const
             std::to_string(device_height()) + " pixels with " + std::to_string(samples) + " samples");
     }
     return target;
-}
-
-void RenderTargets::attach(
-    const GlRenderbuffer& buffer, GLenum format, GLenum attachment, int samples) const {
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-    gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, device_width(), device_height());
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
 }
 
 void RenderTargets::begin_3d(const Colour& paper) {
@@ -218,6 +212,41 @@ void RenderTargets::blit_to_window() const {
         0, 0, device_width(), device_height(), 0, 0, part_.width, part_.height, GL_COLOR_BUFFER_BIT,
         size_.pixel_ratio == 1 ? GL_NEAREST : GL_LINEAR);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+bool SampleMean::is_possible(const GlFunctions& gl, int samples) {
+    return samples > 1 && gl.profile == GlProfile::core_33;
+}
+
+SampleMean::SampleMean(const GlFunctions& gl, int width, int height, int samples)
+    : gl_(gl),
+      width_(width),
+      height_(height),
+      samples_(samples),
+      program_(gl, "mean of samples", shaders::kBackdropVertex, shaders::kSampleMeanFragment),
+      no_attributes_(GlVertexArray::make(gl)),
+      texture_(GlTexture::make(gl)) {
+    gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture_.name());
+    gl_.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, GL_RGBA8, width, height, GL_TRUE);
+}
+
+void SampleMean::draw(const DeviceRect& part) const {
+    if (part.empty()) { return; }
+    gl_.Viewport(0, 0, width_, height_);
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.Scissor(part.x, part.y, part.width, part.height);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_BLEND);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture_.name());
+    program_.use();
+    program_.set("picture", 0);
+    program_.set("samples", samples_);
+    gl_.BindVertexArray(no_attributes_.name());
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl_.BindVertexArray(0);
+    gl_.Disable(GL_SCISSOR_TEST);
 }
 
 }  // namespace jw::render

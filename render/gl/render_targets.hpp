@@ -5,11 +5,33 @@
 #include <vector>
 
 #include "render/files/image.hpp"
-#include "render/gl/device_rect.hpp"
 #include "render/gl/gl_objects.hpp"
-#include "render/gl/sample_mean.hpp"
 
 namespace jw::render {
+
+/// Averages the samples of a multisampled texture with its own shaders. Mesa's software renderer does not
+/// cache the shaders that the driver uses for glBlitFramebuffer, and compiles them for 30 ms at every start.
+/// OpenGL 3.3 only.
+class SampleMean {
+public:
+    /// True if there are several samples and the driver has OpenGL 3.3.
+    static bool is_possible(const GlFunctions& gl, int samples);
+
+    SampleMean(const GlFunctions& gl, int width, int height, int samples);
+
+    /// Multisampled texture that bodies are drawn into: the colour attachment of their framebuffer.
+    const GlTexture& texture() const { return texture_; }
+
+    /// Draws the means of a part into the bound framebuffer, of the same size. Uses texture unit 0.
+    void draw(const DeviceRect& part) const;
+
+private:
+    const GlFunctions& gl_;
+    int width_, height_, samples_;
+    GlProgram program_;
+    GlVertexArray no_attributes_;  // a triangle computed from gl_VertexID alone
+    GlTexture texture_;
+};
 
 /// Framebuffers for one size of picture in the current context. The window and `Offscreen` draw into the same
 /// ones, so both show the same pixels, and `read` makes a screenshot.
@@ -75,7 +97,6 @@ private:
     enum class Depth : bool { without, with };
 
     Target make_target(int samples, Depth depth) const;
-    void attach(const GlRenderbuffer& buffer, GLenum format, GLenum attachment, int samples) const;
     GLsizei device_width() const { return part_.width * size_.pixel_ratio; }
     GLsizei device_height() const { return part_.height * size_.pixel_ratio; }
 

@@ -56,8 +56,7 @@ vec4 id_colour() {
 
 }  // namespace
 
-std::string body_vertex() {
-    return R"(
+const std::string_view kBodyVertex = R"(
 layout(location = 0) in vec4 core;  // w: 1 where x and y scale with the inner radius
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 pose_x;
@@ -98,7 +97,6 @@ void main() {
     gl_Position.xy += pixels * clip_per_pixel * gl_Position.w;
 }
 )";
-}
 
 std::string body_fragment(Shadows shadows) {
     return std::string(kTransfer) + shadow_lookup(shadows) + R"(
@@ -141,23 +139,18 @@ void main() {
 )";
 }
 
-std::string edge_fragment() {
-    return R"(
+const std::string_view kEdgeFragment = R"(
 in vec4 outline_colour;
 out vec4 pixel;
 
 void main() { pixel = outline_colour; }
 )";
-}
 
-std::string depth_fragment() {
-    return R"(
+const std::string_view kDepthFragment = R"(
 void main() {}
 )";
-}
 
-std::string ground_vertex() {
-    return R"(
+const std::string_view kGroundVertex = R"(
 uniform mat4 clip_from_world;
 uniform mat4 shadow_from_world;
 uniform vec3 centre;  // of the part that is drawn, and its half sides
@@ -176,7 +169,6 @@ void main() {
     gl_Position = clip_from_world * position;
 }
 )";
-}
 
 std::string ground_fragment() {
     return std::string(kFade) + R"(
@@ -219,8 +211,7 @@ void main() {
 )";
 }
 
-std::string backdrop_vertex() {
-    return R"(
+const std::string_view kBackdropVertex = R"(
 out float height;
 
 void main() {
@@ -229,10 +220,8 @@ void main() {
     gl_Position = vec4(corner, 1.0, 1.0);
 }
 )";
-}
 
-std::string sky_fragment() {
-    return R"(
+const std::string_view kSkyFragment = R"(
 in float height;
 uniform vec4 top;
 uniform vec4 bottom;
@@ -240,19 +229,15 @@ out vec4 pixel;
 
 void main() { pixel = mix(bottom, top, smoothstep(0.15, 1.0, height)); }
 )";
-}
 
-std::string copy_fragment() {
-    return R"(
+const std::string_view kCopyFragment = R"(
 uniform sampler2D picture;
 out vec4 pixel;
 
 void main() { pixel = texelFetch(picture, ivec2(gl_FragCoord.xy), 0); }
 )";
-}
 
-std::string sample_mean_fragment() {
-    return R"(
+const std::string_view kSampleMeanFragment = R"(
 uniform sampler2DMS picture;
 uniform int samples;
 out vec4 pixel;
@@ -263,10 +248,8 @@ void main() {
     pixel /= float(samples);
 }
 )";
-}
 
-std::string line_vertex() {
-    return R"(
+const std::string_view kLineVertex = R"(
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in float width;
@@ -307,10 +290,8 @@ void main() {
     picked_id = id;
 }
 )";
-}
 
-std::string line_fragment() {
-    return R"(
+const std::string_view kLineFragment = R"(
 in vec2 offset;
 flat in float half_length;
 flat in float half_width;
@@ -327,7 +308,6 @@ void main() {
     pixel = vec4(line_colour.rgb, line_colour.a * covered * alpha_scale);
 }
 )";
-}
 
 std::string body_id_fragment() {
     return std::string(kIdColour) + R"(

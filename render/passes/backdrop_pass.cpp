@@ -1,20 +1,60 @@
 #include "render/passes/backdrop_pass.hpp"
 
+#include <Eigen/Geometry>
+
 #include "render/gl/shaders.hpp"
+#include "render/scene/orbit.hpp"
 
 namespace jw::render {
 
+namespace {
+
+constexpr Colour kNightShadow = from_hex(0x000000, 0.5F);
+
+/// The whole plane that is drawn.
+Parallelogram whole_plane(const Ground& ground) {
+    const Vector3d normal = ground.normal.normalized();
+    const Vector3d u = level_axis(normal);
+    return {ground.point, ground.radius * u, ground.radius * normal.cross(u)};
+}
+
+/// Coordinates x and y in the plane, in units of its radius.
+Matrix4d plane_from_world(const Ground& ground) {
+    const Parallelogram plane = whole_plane(ground);
+    Matrix4d m = Matrix4d::Identity();
+    for (int row = 0; row < 2; ++row) {
+        const Vector3d axis = (row == 0 ? plane.u : plane.v) / (ground.radius * ground.radius);
+        m.block<1, 3>(row, 0) = axis.transpose();
+        m(row, 3) = -axis.dot(ground.point);
+    }
+    return m;
+}
+
+/// Uniforms of `shaders::kGroundVertex` except those of shadows.
+void set_vertex_uniforms(
+    const GlProgram& program, const SceneView& view, const Ground& ground, const Parallelogram& part) {
+    program.use();
+    program.set("clip_from_world", view.clip_from_world);
+    program.set("centre", part.centre);
+    program.set("half_u", part.u);
+    program.set("half_v", part.v);
+    program.set("plane_from_world", plane_from_world(ground));
+}
+
+}  // namespace
+
 BackdropPass::BackdropPass(const GlFunctions& gl)
     : gl_(gl),
-      sky_(gl, "sky", shaders::backdrop_vertex(), shaders::sky_fragment()),
-      copy_(gl, "backdrop", shaders::backdrop_vertex(), shaders::copy_fragment()),
-      ground_(gl),
-      no_attributes_(make_vertex_array(gl)),
+      sky_(gl, "sky", shaders::kBackdropVertex, shaders::kSkyFragment),
+      copy_(gl, "backdrop", shaders::kBackdropVertex, shaders::kCopyFragment),
+      lit_ground_(gl, "ground", shaders::kGroundVertex, shaders::ground_fragment()),
+      ground_shadow_(gl, "ground shadow", shaders::kGroundVertex, shaders::ground_shadow_fragment()),
+      no_attributes_(GlVertexArray::make(gl)),
       lit_(make_layer()),
       shown_(make_layer()) {}
 
 BackdropPass::Layer BackdropPass::make_layer() const {
-    Layer layer{make_texture(gl_), make_framebuffer(gl_)};
+    Layer layer{GlTexture::make(gl_), GlFramebuffer::make(gl_)};
     gl_.BindTexture(GL_TEXTURE_2D, layer.texture.name());
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -65,7 +105,7 @@ void BackdropPass::paint_lit(const BackdropView& wanted, const SceneView& view) 
     paint_behind_ground(wanted);
     if (!wanted.ground) { return; }
     const bool is_paper = wanted.backdrop == Backdrop::paper;
-    ground_.draw_lit(
+    draw_lit_ground(
         view, *wanted.ground, wanted.tone,
         is_paper ? wanted.paper : toned(palette::kGroundPlane, wanted.tone));
 }
@@ -83,7 +123,7 @@ void BackdropPass::paint_shown(
     const Rect seen = part ? seen_part(bounds_of(*part), view.camera, wanted.viewport) : wanted.viewport;
     shaded_ = common_part(whole, device_rect(seen, wanted.frame, wanted.part));
     shadows.bind();
-    ground_.draw_shadow(view, *wanted.ground, shadow, part, wanted.tone);
+    draw_ground_shadow(view, *wanted.ground, shadow, part, wanted.tone);
 }
 
 void BackdropPass::paint_behind_ground(const BackdropView& wanted) const {
@@ -115,6 +155,38 @@ void BackdropPass::fill() const {
     gl_.Disable(GL_BLEND);
     gl_.BindVertexArray(no_attributes_.name());
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// Draws the plane without shadows over the present content, inside the scissor. Needs no depth.
+void BackdropPass::draw_lit_ground(
+    const SceneView& view, const Ground& ground, Tone tone, const Colour& plane) const {
+    set_vertex_uniforms(lit_ground_, view, ground, whole_plane(ground));
+    lit_ground_.set("lines_per_radius", static_cast<float>(ground.radius / ground.grid));
+    lit_ground_.set("line_width", 1.1F * view.pixel_scale);
+    lit_ground_.set("plane_colour", plane);
+    lit_ground_.set("line_colour", toned(palette::kGroundLine, tone));
+    draw_plane();
+}
+
+/// Draws the shadows over the lit plane; the shadow map of `shadow` must be bound.
+/// @param part  there are no shadows outside of it; none: they can be anywhere
+void BackdropPass::draw_ground_shadow(
+    const SceneView& view, const Ground& ground, const ShadowView& shadow,
+    const std::optional<Parallelogram>& part, Tone tone) const {
+    set_vertex_uniforms(ground_shadow_, view, ground, part ? *part : whole_plane(ground));
+    ground_shadow_.set("shadow_from_world", shadow.map_from_world);
+    // a shadow is darker than its ground in both tones
+    ground_shadow_.set("shadow_colour", tone == Tone::light ? palette::kGroundShadow : kNightShadow);
+    ShadowMap::set_uniforms(ground_shadow_);
+    draw_plane();
+}
+
+void BackdropPass::draw_plane() const {
+    gl_.Enable(GL_BLEND);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.BindVertexArray(no_attributes_.name());
+    gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    gl_.Disable(GL_BLEND);
 }
 
 }  // namespace jw::render

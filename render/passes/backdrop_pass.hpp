@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "render/gl/gl_objects.hpp"
-#include "render/passes/ground_pass.hpp"
 #include "render/passes/scene_view.hpp"
 #include "render/passes/shadow_map.hpp"
 #include "render/scene/scene.hpp"
@@ -36,7 +35,8 @@ struct BackdropView {
 /// Nothing in the backdrop has an edge that needs more than one sample per pixel, and most of it does not
 /// change while bodies move. So it is painted into a texture with one sample, which is kept. Only what has
 /// changed is painted again: everything after a change of camera, size or tone, and the part in shadow when
-/// bodies move. Without a GPU, this saves a third of the time of a picture.
+/// bodies move. Without a GPU, this saves a third of the time of a picture. Most of the rest goes into soft
+/// shadows, so they are computed only where shadow can fall.
 class BackdropPass {
 public:
     explicit BackdropPass(const GlFunctions& gl);
@@ -62,12 +62,18 @@ private:
     void paint_shown(
         const BackdropView& wanted, const SceneView& view, const ShadowMap& shadows, bool lit_changed);
     void paint_behind_ground(const BackdropView& wanted) const;
+    void draw_lit_ground(const SceneView& view, const Ground& ground, Tone tone, const Colour& plane) const;
+    void draw_ground_shadow(
+        const SceneView& view, const Ground& ground, const ShadowView& shadow,
+        const std::optional<Parallelogram>& part, Tone tone) const;
+    void draw_plane() const;
     void fill() const;
 
     const GlFunctions& gl_;
     GlProgram sky_;
     GlProgram copy_;
-    GroundPass ground_;
+    GlProgram lit_ground_;
+    GlProgram ground_shadow_;
     GlVertexArray no_attributes_;  // for triangles made of gl_VertexID alone
     Layer lit_;                    // without shadows
     Layer shown_;

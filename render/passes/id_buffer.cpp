@@ -61,9 +61,9 @@ int id_of(const std::uint8_t* rgba) { return rgba[0] + 256 * rgba[1] + 65536 * r
 IdBuffer::IdBuffer(const GlFunctions& gl, const SceneMeshes& meshes)
     : gl_(gl),
       meshes_(meshes),
-      solid_(gl, "ids of bodies", shaders::body_vertex(), shaders::body_id_fragment()),
-      line_(gl, "ids of lines", shaders::line_vertex(), shaders::line_id_fragment()),
-      framebuffer_(make_framebuffer(gl)) {}
+      solid_(gl, "ids of bodies", shaders::kBodyVertex, shaders::body_id_fragment()),
+      line_(gl, "ids of lines", shaders::kLineVertex, shaders::line_id_fragment()),
+      framebuffer_(GlFramebuffer::make(gl)) {}
 
 bool IdBuffer::update(
     const Scene& scene, const Camera& camera, const Rect& viewport, const FrameSize& frame,
@@ -89,15 +89,9 @@ void IdBuffer::make_framebuffer_for(const DeviceRect& rect) {
     const bool fits = rect.width == rect_.width && rect.height == rect_.height;
     rect_ = rect;
     if (fits) { return; }
-    const auto attach = [&](GLenum format, GLenum attachment) {
-        GlRenderbuffer buffer = make_renderbuffer(gl_);
-        gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-        gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, format, rect.width, rect.height);
-        gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
-        return buffer;
-    };
-    colour_ = attach(GL_RGBA8, GL_COLOR_ATTACHMENT0);
-    depth_ = attach(GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
+    colour_ = attached_renderbuffer(gl_, GL_RGBA8, GL_COLOR_ATTACHMENT0, 0, rect.width, rect.height);
+    depth_ =
+        attached_renderbuffer(gl_, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, 0, rect.width, rect.height);
 }
 
 void IdBuffer::draw(const SceneView& view) const {

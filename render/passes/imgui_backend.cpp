@@ -1,15 +1,17 @@
 #include "render/passes/imgui_backend.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
+#include <string>
 
 #include <imgui.h>
 
-#include "render/gl/texture_id.hpp"
-
 namespace jw::render {
+
 namespace {
 
 constexpr const char* kVertexShader = R"(
@@ -50,7 +52,7 @@ GlTexture upload_atlas(const GlFunctions& gl, ImFontAtlas& atlas) {
     int width = 0;
     int height = 0;
     atlas.GetTexDataAsAlpha8(&texels, &width, &height);
-    GlTexture texture = make_texture(gl);
+    auto texture = GlTexture::make(gl);
     gl.BindTexture(GL_TEXTURE_2D, texture.name());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, texels);
@@ -92,14 +94,35 @@ bool set_scissor(const GlFunctions& gl, const ImVec4& clip, const ImDrawData& da
     return true;
 }
 
+GlTexture upload(const GlFunctions& gl, const Image& image) {
+    const bool empty = image.width < 1 || image.height < 1;
+    if (empty || image.rgb.size() !=
+                     3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)) {
+        throw std::invalid_argument(
+            "a picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+            " pixels cannot have " + std::to_string(image.rgb.size()) + " bytes");
+    }
+    auto texture = GlTexture::make(gl);
+    gl.BindTexture(GL_TEXTURE_2D, texture.name());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexImage2D(
+        GL_TEXTURE_2D, 0, GL_RGB8, image.width, image.height, 0, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    // the left edge must not blend with the right one
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
 }  // namespace
 
 ImguiBackend::ImguiBackend(const GlFunctions& gl)
     : gl_(gl),
       program_(gl, "panels", kVertexShader, kFragmentShader),
-      array_(make_vertex_array(gl)),
-      vertices_(make_buffer(gl)),
-      indices_(make_buffer(gl)) {
+      array_(GlVertexArray::make(gl)),
+      vertices_(GlBuffer::make(gl)),
+      indices_(GlBuffer::make(gl)) {
     reload_fonts();
     ImGuiIO& io = ImGui::GetIO();
     io.BackendRendererName = "jointwise";
@@ -136,7 +159,7 @@ void ImguiBackend::draw(const ImDrawData& data, const FrameSize& frame) const {
                 continue;
             }
             if (!set_scissor(gl_, command.ClipRect, data, frame)) { continue; }
-            const GLuint name = texture_name(command.GetTexID());
+            const GLuint name = static_cast<GLuint>(std::bit_cast<std::uintptr_t>(command.GetTexID()));
             gl_.BindTexture(GL_TEXTURE_2D, name == kAtlas ? font_.name() : name);
             program_.set("coverage", name == kAtlas ? 1 : 0);
             point_at_vertices(gl_, command.VtxOffset);
@@ -173,5 +196,9 @@ void ImguiBackend::set_state(const ImDrawData& data, const FrameSize& frame) con
     gl_.BindVertexArray(array_.name());
     gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.name());
 }
+
+PictureTexture::PictureTexture(const GlFunctions& gl, const Image& image) : texture_(upload(gl, image)) {}
+
+ImTextureID PictureTexture::id() const { return std::bit_cast<ImTextureID>(std::uintptr_t{texture_.name()}); }
 
 }  // namespace jw::render

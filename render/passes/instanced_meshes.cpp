@@ -38,11 +38,11 @@ void instance_attributes(const GlFunctions& gl) {
 
 }  // namespace
 
-InstancedMeshes::InstancedMeshes(const GlFunctions& gl) : gl_(gl), instances_(make_buffer(gl)) {}
+InstancedMeshes::InstancedMeshes(const GlFunctions& gl) : gl_(gl), instances_(GlBuffer::make(gl)) {}
 
 InstancedMeshes::OnCard InstancedMeshes::upload(const Mesh& mesh) const {
     OnCard card{
-        make_vertex_array(gl_), make_buffer(gl_), make_buffer(gl_),
+        GlVertexArray::make(gl_), GlBuffer::make(gl_), GlBuffer::make(gl_),
         static_cast<GLsizei>(mesh.indices.size())};
     gl_.BindVertexArray(card.array.name());
     gl_.BindBuffer(GL_ARRAY_BUFFER, card.vertices.name());
@@ -73,7 +73,7 @@ void InstancedMeshes::draw(const InstanceLists& lists) const {
 }
 
 LineBatch::LineBatch(const GlFunctions& gl)
-    : gl_(gl), array_(make_vertex_array(gl)), segments_(make_buffer(gl)) {
+    : gl_(gl), array_(GlVertexArray::make(gl)), segments_(GlBuffer::make(gl)) {
     constexpr std::size_t stride = sizeof(LineSegment);
     gl_.BindVertexArray(array_.name());
     gl_.BindBuffer(GL_ARRAY_BUFFER, segments_.name());

@@ -14,7 +14,7 @@ class InstancedMeshes {
 public:
     explicit InstancedMeshes(const GlFunctions& gl);
 
-    /// Draws with the current program and state; attributes as in `shaders::body_vertex`.
+    /// Draws with the current program and state; attributes as in `shaders::kBodyVertex`.
     void draw(const InstanceLists& lists) const;
 
 private:
@@ -32,7 +32,7 @@ private:
     mutable std::array<std::optional<OnCard>, kMeshes> meshes_;  // made when first drawn
 };
 
-/// Line segments as rectangles that face the camera; attributes as in `shaders::line_vertex`.
+/// Line segments as rectangles that face the camera; attributes as in `shaders::kLineVertex`.
 class LineBatch {
 public:
     explicit LineBatch(const GlFunctions& gl);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "render/scene/framing.hpp"
 #include "render/scene/scene.hpp"
 #include "render/scene/shapes.hpp"
 
@@ -59,5 +60,11 @@ using PixelAt = std::function<double(const Vector3d& point)>;
 /// @param pixel_at  decides the detail of each shape; none: all have the highest detail
 DrawLists draw_lists_of(
     const Scene& scene, double dash_length, Tone tone = Tone::light, const PixelAt& pixel_at = {});
+
+/// Bounds of everything in the lists, slightly too large: the box around each instance.
+Bounds bounds_of(const DrawLists& lists);
+
+/// Pixels, in a picture 720 high, by which outlines and lines reach beyond `bounds_of` at most.
+float border_of(const DrawLists& lists);
 
 }  // namespace jw::render

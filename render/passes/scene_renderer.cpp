@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "render/gl/shaders.hpp"
-#include "render/passes/drawn_part.hpp"
+#include "render/passes/instances.hpp"
 #include "render/passes/scene_view.hpp"
 
 namespace jw::render {
@@ -57,7 +57,7 @@ struct SceneRenderer::Pass : SceneView {
         return shrunk(seen_part(bounds_of(lists), camera, seen_in), -std::ceil(border));
     }
 
-    /// Uniforms of `shaders::body_vertex`.
+    /// Uniforms of `shaders::kBodyVertex`.
     void set_vertex_uniforms(const GlProgram& program, float edge_scale) const {
         set_solid_uniforms(program, edge_scale);
         program.set("shadow_from_world", shadow.map_from_world);
@@ -71,10 +71,10 @@ struct SceneRenderer::Pass : SceneView {
 
 SceneRenderer::SceneRenderer(const GlFunctions& gl)
     : gl_(gl),
-      body_(gl, "body", shaders::body_vertex(), shaders::body_fragment(shaders::Shadows::soft)),
-      sign_(gl, "sign", shaders::body_vertex(), shaders::body_fragment(shaders::Shadows::none)),
-      edge_(gl, "edge", shaders::body_vertex(), shaders::edge_fragment()),
-      line_(gl, "line", shaders::line_vertex(), shaders::line_fragment()),
+      body_(gl, "body", shaders::kBodyVertex, shaders::body_fragment(shaders::Shadows::soft)),
+      sign_(gl, "sign", shaders::kBodyVertex, shaders::body_fragment(shaders::Shadows::none)),
+      edge_(gl, "edge", shaders::kBodyVertex, shaders::kEdgeFragment),
+      line_(gl, "line", shaders::kLineVertex, shaders::kLineFragment),
       meshes_(gl),
       shadow_map_(gl),
       backdrop_(gl) {}

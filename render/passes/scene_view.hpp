@@ -1,10 +1,8 @@
 #pragma once
 
-#include "render/gl/device_rect.hpp"
 #include "render/gl/gl_objects.hpp"
 #include "render/passes/instances.hpp"
 #include "render/scene/camera.hpp"
-#include "render/scene/frame_size.hpp"
 #include "render/scene/scene.hpp"
 
 namespace jw::render {
@@ -26,10 +24,10 @@ struct SceneView {
         const Scene& scene, const Camera& seen_by, const Rect& viewport, const FrameSize& frame,
         Tone tone = Tone::light, Details details = Details::by_size);
 
-    /// Uniforms of `shaders::body_vertex` except those of shadows. @param edge_scale  0 or `pixel_scale`
+    /// Uniforms of `shaders::kBodyVertex` except those of shadows. @param edge_scale  0 or `pixel_scale`
     void set_solid_uniforms(const GlProgram& program, float edge_scale) const;
 
-    /// Uniforms of `shaders::line_vertex`.
+    /// Uniforms of `shaders::kLineVertex`.
     void set_line_uniforms(const GlProgram& program) const;
 };
 

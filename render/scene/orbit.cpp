@@ -12,9 +12,9 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;  // [rad]
 // At 1e-3 rad, a line along the view that is as long as the picture is high appears shorter than a pixel.
-constexpr double kHighest = 0.5 * kPi - 1e-3;
+constexpr double kHighest = 0.5 * kHalfTurn - 1e-3;
 constexpr double kNearestInSizes = 0.01;
 constexpr double kFarthestInSizes = 10.0;
 
@@ -31,7 +31,7 @@ struct Stand {
 Quaterniond turn_between(const Vector3d& from, const Vector3d& to) {
     constexpr double kOpposite = 1e-12;
     const double cosine = to.dot(from);
-    if (cosine < kOpposite - 1.0) { return Quaterniond(AngleAxisd(kPi, from.unitOrthogonal())); }
+    if (cosine < kOpposite - 1.0) { return Quaterniond(AngleAxisd(kHalfTurn, from.unitOrthogonal())); }
     const double twice = std::sqrt((1.0 + cosine) * 2.0);
     Quaterniond turn;
     turn.w() = twice * 0.5;
@@ -103,16 +103,16 @@ Vector3d level_axis(const Vector3d& up) {
 
 Camera standard_view(const Camera& camera, StandardView view) {
     // the eye is on the right at azimuth 0, and in front a quarter turn earlier
-    Stand stand{-0.5 * kPi, 0.0, camera.distance()};
+    Stand stand{-0.5 * kHalfTurn, 0.0, camera.distance()};
     switch (view) {
         case StandardView::front: break;
-        case StandardView::back: stand.azimuth = 0.5 * kPi; break;
-        case StandardView::left: stand.azimuth = kPi; break;
+        case StandardView::back: stand.azimuth = 0.5 * kHalfTurn; break;
+        case StandardView::left: stand.azimuth = kHalfTurn; break;
         case StandardView::right: stand.azimuth = 0.0; break;
         case StandardView::top: stand.elevation = kHighest; break;
         case StandardView::bottom: stand.elevation = -kHighest; break;
         case StandardView::isometric:
-            stand.azimuth = -0.25 * kPi;
+            stand.azimuth = -0.25 * kHalfTurn;
             stand.elevation = std::atan(std::numbers::sqrt2 / 2.0);  // all three axes equally long
             break;
     }
@@ -128,7 +128,7 @@ Camera blended(const Camera& from, const Camera& to, double fraction) {
     const Stand first = stand_of(from);
     const Stand last = stand_of(between.conjugate() * (to.eye - to.target), up);
     Stand stand;
-    stand.azimuth = first.azimuth + fraction * std::remainder(last.azimuth - first.azimuth, 2.0 * kPi);
+    stand.azimuth = first.azimuth + fraction * std::remainder(last.azimuth - first.azimuth, 2.0 * kHalfTurn);
     stand.elevation = blend(first.elevation, last.elevation, fraction);
     stand.distance = first.distance * std::pow(last.distance / first.distance, fraction);
 

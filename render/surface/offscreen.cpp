@@ -1,7 +1,7 @@
 #include "render/surface/offscreen.hpp"
 
-#include "render/surface/address_space.hpp"
 #include "render/surface/headless_context.hpp"
+#include "render/surface/mesa_settings.hpp"
 
 namespace jw::render {
 
@@ -32,8 +32,6 @@ Offscreen::~Offscreen() {
 const GlFunctions& Offscreen::gl() const { return context_->gl(); }
 
 FrameSize Offscreen::size() const { return targets_->size(); }
-
-int Offscreen::samples() const { return targets_->samples(); }
 
 std::string Offscreen::renderer() const {
     make_current();

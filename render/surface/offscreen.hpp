@@ -6,7 +6,7 @@
 #include "render/files/image.hpp"
 #include "render/gl/gl_functions.hpp"
 #include "render/gl/render_targets.hpp"
-#include "render/scene/frame_size.hpp"
+#include "render/scene/camera.hpp"
 #include "render/scene/palette.hpp"
 
 namespace jw::render {
@@ -31,9 +31,6 @@ public:
 
     /// Name of the renderer, such as "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
     std::string renderer() const;
-
-    /// Samples per pixel in effect; 1 if drawn at double size.
-    int samples() const;
 
     /// From now on, pictures have another size; programs, meshes and fonts of the context stay.
     /// @throws std::runtime_error if the size is out of range; then the old size stays.

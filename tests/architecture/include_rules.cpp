@@ -199,7 +199,7 @@ constexpr std::array kLibraries{
     LibraryRule{"ft2build.h", "render/fonts/font_face\\.cpp"},
     LibraryRule{
         "imgui.h",
-        "render/(fonts/fonts|passes/imgui_backend|gl/picture_texture)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
+        "render/(fonts/fonts|passes/imgui_backend)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
     LibraryRule{"cairo", "render/files/vector_picture\\.cpp"},
     LibraryRule{"libdeflate.h", "render/files/png(_chunks)?\\.cpp"},
     LibraryRule{"gif_lib.h", "render/animation/gif\\.cpp"},

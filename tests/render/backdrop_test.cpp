@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "render/passes/drawn_part.hpp"
+#include "render/passes/instances.hpp"
 #include "render/passes/scene_view.hpp"
 #include "render/scene/framing.hpp"
 #include "tests/render/support.hpp"

@@ -3,7 +3,6 @@
 #include <fstream>
 
 #include "render/fonts/font_face.hpp"
-#include "render/fonts/font_file.hpp"
 #include "render/fonts/fonts.hpp"
 #include "tests/render/support.hpp"
 

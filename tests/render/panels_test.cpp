@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include "render/fonts/fonts.hpp"
-#include "render/gl/picture_texture.hpp"
 #include "render/passes/imgui_backend.hpp"
 #include "tests/render/support.hpp"
 

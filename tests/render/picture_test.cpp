@@ -240,7 +240,7 @@ TEST_CASE("sizes that cannot be drawn are refused with the limit", "[render][pic
 TEST_CASE("the renderer says what draws", "[render][picture]") {
     const Offscreen offscreen(16, 16);
     CHECK_THAT(offscreen.renderer(), Catch::Contains("Mesa"));
-    CHECK(offscreen.samples() >= 1);
+    CHECK(offscreen.targets().samples() >= 1);
 }
 
 TEST_CASE("a driver without a function of OpenGL 3.3 is an error that names it", "[render][picture]") {

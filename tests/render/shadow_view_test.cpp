@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "render/passes/shadow_view.hpp"
+#include "render/passes/shadow_map.hpp"
 #include "tests/render/support.hpp"
 
 namespace jw::render::test {

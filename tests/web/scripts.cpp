@@ -4,7 +4,7 @@
 
 #include "app/host/host.hpp"
 #include "app/host/lesson/address.hpp"
-#include "app/web/keys.hpp"
+#include "app/web/page.hpp"
 #include "lessons/files/catalogue.hpp"
 
 /// The interface driven by a script, as a page is driven by its browser: events in, states out. Each line of

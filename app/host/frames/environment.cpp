@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "render/fonts/font_face.hpp"
-#include "render/fonts/font_file.hpp"
 #include "render/fonts/font_search.hpp"
 #include "render/passes/scene_renderer.hpp"
 

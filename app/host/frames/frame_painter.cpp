@@ -115,34 +115,28 @@ struct FramePainter::Surface {
           frame{width, height, 1},
           tile(tile_of(width, height, look.tile_width)),
           offscreen(std::in_place, tile.width, tile.height),
-          functions(&offscreen->gl()),
-          scene(offscreen->gl()),
+          targets(offscreen->targets()),
+          functions(offscreen->gl()),
+          scene(functions),
           layout(layout_for(width, height, look)) {}
     Surface(int width, int height, const std::u32string& characters, const render::GlFunctions& gl)
         : context(width, height),
           loading(fonts_for(width, height, {}, characters)),
           frame{width, height, 1},
           tile{0, 0, width, height},
-          targets(std::in_place, gl, width, height),
-          functions(&gl),
+          own(std::in_place, gl, width, height),
+          targets(*own),
+          functions(gl),
           scene(gl),
           layout(layout_for(width, height, {})) {}
 
     /// Renderer of panels; waits for the fonts. ImGui's context must be current.
     /// @throws std::runtime_error if a font is missing
     Panels& panels() {
-        if (!made_panels) { made_panels.emplace(loading->take(), *functions); }
+        if (!made_panels) { made_panels.emplace(loading->take(), functions); }
         return *made_panels;
     }
 
-    void begin_3d(const render::Colour& paper) {
-        offscreen ? offscreen->begin_3d(paper) : targets->begin_3d(paper);
-    }
-    render::RenderTargets& drawn_into() { return offscreen ? offscreen->targets() : *targets; }
-    void begin_2d() { offscreen ? offscreen->begin_2d() : targets->begin_2d(); }
-    render::Image read(bool is_opaque) {
-        return offscreen ? offscreen->read(is_opaque) : targets->read(is_opaque);
-    }
     /// Tiles that cover the frame. All are as large as the buffers, so the last ones overlap those before.
     std::vector<render::FramePart> tiles() const {
         std::vector<render::FramePart> all;
@@ -166,8 +160,9 @@ struct FramePainter::Surface {
     render::FramePart tile;  // the first one; all have its size
     // destroyed from the last to the first: owners of GL objects before their context
     std::optional<render::Offscreen> offscreen;
-    std::optional<render::RenderTargets> targets;
-    const render::GlFunctions* functions;
+    std::optional<render::RenderTargets> own;
+    render::RenderTargets& targets;
+    const render::GlFunctions& functions;
     render::SceneRenderer scene;
     std::optional<render::IdBuffer> ids;  // created when layers are requested
     std::uint64_t layers_drawn = 0;
@@ -244,14 +239,14 @@ render::Image FramePainter::paint_numbered(View view, const Picture& picture, in
 void FramePainter::draw_scene(const Picture& picture) {
     Surface& s = *surface_;
     if (look_.is_opaque) {
-        s.begin_3d(toned(render::palette::kPaper, look_.tone));
-        s.scene.draw(picture.scene, s.camera, s.layout.scene, s.drawn_into(), look_.tone);
+        s.targets.begin_3d(toned(render::palette::kPaper, look_.tone));
+        s.scene.draw(picture.scene, s.camera, s.layout.scene, s.targets, look_.tone);
         return;
     }
-    s.begin_3d(kNothing);
+    s.targets.begin_3d(kNothing);
     render::Scene scene = picture.scene;
     scene.ground.reset();
-    s.scene.draw(scene, s.camera, s.layout.scene, s.drawn_into(), look_.tone, render::Backdrop::paper);
+    s.scene.draw(scene, s.camera, s.layout.scene, s.targets, look_.tone, render::Backdrop::paper);
 }
 
 /// Lays out the panels as ImGui's draw data.
@@ -275,7 +270,7 @@ render::Image FramePainter::paint(
     Surface& s = *surface_;
     const auto end = [&](PaintStage stage) {
         if (!ended) { return; }
-        s.functions->Finish();
+        s.functions.Finish();
         ended(stage);
     };
     s.context.enter();
@@ -285,15 +280,15 @@ render::Image FramePainter::paint(
     render::Image image;
     for (const render::FramePart& tile : s.tiles()) {
         const bool is_first = image.rgb.empty();
-        s.drawn_into().show_part(tile.x, tile.y, s.frame.width, s.frame.height);
+        s.targets.show_part(tile.x, tile.y, s.frame.width, s.frame.height);
         draw_scene(picture);
-        s.begin_2d();
+        s.targets.begin_2d();
         end(PaintStage::scene);
         // fonts have been loaded while the first scene was drawn
         if (is_first) { lay_out_panels(view, picture, lit); }
-        s.panels().backend.draw(*ImGui::GetDrawData(), s.drawn_into().size(), tile);
+        s.panels().backend.draw(*ImGui::GetDrawData(), s.targets.size(), tile);
         end(PaintStage::panels);
-        render::Image part = s.read(look_.is_opaque);
+        render::Image part = s.targets.read(look_.is_opaque);
         const bool is_all = part.width == s.frame.width && part.height == s.frame.height;
         if (is_all) {
             image = std::move(part);
@@ -313,7 +308,7 @@ std::vector<std::uint8_t> FramePainter::vector_file(const View& view, render::Ve
     const auto width = static_cast<int>(std::lround(kSharper * scene.width));
     const auto height = static_cast<int>(std::lround(kSharper * scene.height));
     s.make_current();
-    render::RenderTargets large(*s.functions, width, height);
+    render::RenderTargets large(s.functions, width, height);
     large.begin_3d();
     s.scene.draw(shown.scene, s.camera, {0.0, 0.0, scene.width * kSharper, scene.height * kSharper}, large);
     large.begin_2d();
@@ -332,12 +327,12 @@ std::vector<std::uint8_t> FramePainter::vector_file(const View& view, render::Ve
     return file.finish();
 }
 
-std::string FramePainter::renderer() const { return render::renderer_name(*surface_->functions); }
+std::string FramePainter::renderer() const { return render::renderer_name(surface_->functions); }
 
 render::PictureLayers FramePainter::layers(const Picture& picture) {
     Surface& s = *surface_;
     s.make_current();
-    if (!s.ids) { s.ids.emplace(*s.functions, s.scene.meshes()); }
+    if (!s.ids) { s.ids.emplace(s.functions, s.scene.meshes()); }
     s.ids->update(
         picture.scene, s.camera, s.layout.scene, s.frame, ++s.layers_drawn, render::SceneView::Details::full);
     return s.ids->read_layers();

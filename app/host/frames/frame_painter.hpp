@@ -9,7 +9,7 @@
 #include "render/files/image.hpp"
 #include "render/files/vector_picture.hpp"
 #include "render/gl/gl_functions.hpp"
-#include "render/scene/frame_size.hpp"
+#include "render/scene/camera.hpp"
 #include "render/scene/palette.hpp"
 #include "render/scene/picture_layers.hpp"
 

@@ -27,27 +27,22 @@ bool are_same(const Lesson& a, const Lesson& b) {
 
 }  // namespace
 
-BackgroundStory::BackgroundStory(
-    std::shared_ptr<const Lesson> lesson, std::unique_ptr<StoryTelling> telling) {
+std::unique_ptr<Background<ToldLesson>> told_in_background(
+    std::shared_ptr<const Lesson> lesson, std::unique_ptr<StoryTelling> telling,
+    std::shared_ptr<std::atomic<double>> part) {
     const auto piece = [lesson = std::move(lesson), told = std::shared_ptr<StoryTelling>(std::move(telling)),
-                        part = part_](const std::stop_token&) -> std::optional<ToldLesson> {
+                        part = std::move(part)](const std::stop_token&) -> std::optional<ToldLesson> {
         const bool goes_on = told->go_on();
         *part = told->progress();
         if (goes_on) { return std::nullopt; }
         return ToldLesson{lesson, told->story()};
     };
-    work_ = std::make_unique<Background<ToldLesson>>(piece);
-}
-
-std::unique_ptr<BackgroundWork> BackgroundStory::stop() {
-    work_->stop();
-    return std::move(work_);
+    return std::make_unique<Background<ToldLesson>>(piece);
 }
 
 ToldLesson BackgroundStories::tell(const std::shared_ptr<const Lesson>& lesson, const StoryOptions& options) {
     if (background_ && background_->is_done()) {
-        const std::unique_ptr<BackgroundStory> done = std::move(background_);
-        told_.push_back(done->take());
+        told_.push_back(std::exchange(background_, nullptr)->take());
     }
     while (asked_ < told_.size()) {
         if (are_same(*lesson, *told_[asked_].lesson)) { return told_[asked_++]; }
@@ -56,22 +51,21 @@ ToldLesson BackgroundStories::tell(const std::shared_ptr<const Lesson>& lesson, 
     stop();
     auto telling = std::make_unique<StoryTelling>(*lesson, options);
     while (telling->work() < kMostAtOnce) {
-        if (!telling->go_on()) { return keep({lesson, telling->story()}); }
+        if (telling->go_on()) { continue; }
+        told_.push_back({lesson, telling->story()});
+        return told_[asked_++];
     }
     ++begun_in_background_;
-    background_ = std::make_unique<BackgroundStory>(lesson, std::move(telling));
+    part_ = std::make_shared<std::atomic<double>>(0.0);
+    background_ = told_in_background(lesson, std::move(telling), part_);
     throw NotToldYet();
-}
-
-ToldLesson BackgroundStories::keep(ToldLesson told) {
-    told_.push_back(std::move(told));
-    return told_[asked_++];
 }
 
 void BackgroundStories::stop() {
     std::erase_if(stopped_, [](const auto& work) { return work->is_done(); });
-    if (background_) { stopped_.push_back(background_->stop()); }
-    background_.reset();
+    if (!background_) { return; }
+    background_->stop();
+    stopped_.push_back(std::move(background_));
 }
 
 void BackgroundStories::forget() {

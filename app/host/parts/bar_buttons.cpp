@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <imgui.h>
 
-#include "app/host/parts/menu.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/output/pace.hpp"
@@ -27,13 +27,46 @@ struct RowEntry {
     RowButton button;
     bool steps;    ///< it steps or plays, and is left out for a figure
     int given_up;  ///< order of removal if there is not enough room; 0 stays
+    float width;   ///< beside the line of steps
 };
-constexpr std::array kRow{RowEntry{RowButton::first, true, 3},    RowEntry{RowButton::back, true, 0},
-                          RowEntry{RowButton::play, true, 0},     RowEntry{RowButton::motion, true, 4},
-                          RowEntry{RowButton::next, true, 0},     RowEntry{RowButton::speed, true, 2},
-                          RowEntry{RowButton::lessons, false, 0}, RowEntry{RowButton::menu, false, 0},
-                          RowEntry{RowButton::help, false, 1}};
+constexpr std::array kRow{
+    RowEntry{RowButton::first, true, 3, 34.0F},    RowEntry{RowButton::back, true, 0, 34.0F},
+    RowEntry{RowButton::play, true, 0, 92.0F},     RowEntry{RowButton::motion, true, 4, 64.0F},
+    RowEntry{RowButton::next, true, 0, 34.0F},     RowEntry{RowButton::speed, true, 2, 52.0F},
+    RowEntry{RowButton::lessons, false, 0, 74.0F}, RowEntry{RowButton::menu, false, 0, 54.0F},
+    RowEntry{RowButton::help, false, 1, 26.0F}};
 constexpr int kMostGivenUp = 4;
+
+/// Size of a button [pixels]; height 0: as its label needs.
+struct ButtonSize {
+    float width = 0.0F;
+    float height = 0.0F;
+};
+
+/// "Play", or "Pause 7 s" with the time until the next still, which is also shown as a shrinking line.
+void play_button(const LessonUi& ui, const ButtonSize& size) {
+    const std::optional<double> left = ui.state.playback.seconds_to_next_still(ui.session);
+    const std::string label = play_label(ui.state.playback.plays(), left);
+    command_button(ui, Command::play, label.c_str(), size.width, size.height);
+    if (!left) { return; }
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const double whole = seconds_of_step(ui.session.story(), ui.session.view());
+    const auto part = static_cast<float>(std::clamp(*left * ui.state.playback.speed() / whole, 0.0, 1.0));
+    ui.canvas.fill(
+        {low.x, ImGui::GetItemRectMax().y + ui.px(2.0F), part * size.width, ui.px(3.0F)},
+        panels::theme::kAccent);
+}
+
+void speed_button(const LessonUi& ui, const ButtonSize& size) {
+    const std::string label = short_speed(ui.state.playback.speed()) + "##speed";
+    if (ImGui::Button(label.c_str(), {size.width, size.height})) { ui.state.playback.next_speed(); }
+    tip_of_item(tr("Speed  (, and .)"));
+}
+
+void menu_button(const LessonUi& ui, const ButtonSize& size) {
+    if (ImGui::Button(tr("Menu"), {size.width, size.height})) { ImGui::OpenPopup("menu"); }
+    menu(ui);
+}
 
 void draw_button(const LessonUi& ui, RowButton button, const ButtonSize& size) {
     const auto command = [&](Command c, const char* label) {
@@ -65,13 +98,8 @@ float needed_width(RowButton button, float height) {
         case RowButton::motion: return width_of_label(tr("Motion"));
         case RowButton::lessons: return width_of_label(tr("Lessons"));
         case RowButton::menu: return std::max(height, width_of_label(tr("Menu")));
-        case RowButton::first:
-        case RowButton::back:
-        case RowButton::next:
-        case RowButton::speed:
-        case RowButton::help: break;
+        default: return height;
     }
-    return height;
 }
 
 std::vector<RowButton> shown_in_row(bool steps, int given_up) {
@@ -97,28 +125,13 @@ std::string short_speed(double speed) {
     return std::to_string(static_cast<int>(speed)) + " ×";
 }
 
-void play_button(const LessonUi& ui, const ButtonSize& size) {
-    const std::optional<double> left = ui.state.playback.seconds_to_next_still(ui.session);
-    const std::string label = play_label(ui.state.playback.plays(), left);
-    command_button(ui, Command::play, label.c_str(), size.width, size.height);
-    if (!left) { return; }
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const double whole = seconds_of_step(ui.session.story(), ui.session.view());
-    const auto part = static_cast<float>(std::clamp(*left * ui.state.playback.speed() / whole, 0.0, 1.0));
-    ui.canvas.fill(
-        {low.x, ImGui::GetItemRectMax().y + ui.px(2.0F), part * size.width, ui.px(3.0F)},
-        panels::theme::kAccent);
-}
-
-void speed_button(const LessonUi& ui, const ButtonSize& size) {
-    const std::string label = short_speed(ui.state.playback.speed()) + "##speed";
-    if (ImGui::Button(label.c_str(), {size.width, size.height})) { ui.state.playback.next_speed(); }
-    tip_of_item(tr("Speed  (, and .)"));
-}
-
-void menu_button(const LessonUi& ui, const ButtonSize& size) {
-    if (ImGui::Button(tr("Menu"), {size.width, size.height})) { ImGui::OpenPopup("menu"); }
-    menu(ui);
+void buttons_beside_line(const LessonUi& ui, bool steps) {
+    bool is_first = true;
+    for (const RowEntry& entry : kRow) {
+        if (entry.steps != steps) { continue; }
+        if (!std::exchange(is_first, false)) { ImGui::SameLine(0.0F, ui.px(kBetweenButtons)); }
+        draw_button(ui, entry.button, {ui.px(entry.width)});
+    }
 }
 
 void row_of_buttons(const LessonUi& ui, const panels::Box& row, bool steps) {

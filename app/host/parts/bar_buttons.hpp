@@ -5,19 +5,11 @@
 
 #include "app/host/ui/ui.hpp"
 
-/// Buttons of the bar at the foot of the window.
+/// Buttons of the bar at the foot of the window, and what two of them open: the menu and the list of keys.
 namespace jw::host {
 
-/// Size of a button [pixels]; 0: as its label needs.
-struct ButtonSize {
-    float width = 0.0F;
-    float height = 0.0F;
-};
-
-/// "Play", or "Pause 7 s" with the time until the next still, which is also shown as a shrinking line.
-void play_button(const LessonUi& ui, const ButtonSize& size);
-void speed_button(const LessonUi& ui, const ButtonSize& size);
-void menu_button(const LessonUi& ui, const ButtonSize& size);
+/// Buttons beside the line of steps: those that step and play, or the others. The first one is at the cursor.
+void buttons_beside_line(const LessonUi& ui, bool steps);
 
 /// All buttons side by side, as high as the row. If there is not enough room, buttons whose command is also
 /// in the menu are left out.
@@ -29,5 +21,11 @@ std::string play_label(bool plays, std::optional<double> seconds_left);
 
 /// Speed in few letters: "½ ×".
 std::string short_speed(double speed);
+
+/// Menu of all commands with their keys, opened by ImGui::OpenPopup("menu").
+void menu(const LessonUi& ui);
+
+/// The list of keys and mouse actions, over everything.
+void help_overlay(const Ui& ui, const panels::Box& window);
 
 }  // namespace jw::host

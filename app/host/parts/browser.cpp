@@ -7,7 +7,6 @@
 #include <imgui.h>
 
 #include "app/host/ui/widgets.hpp"
-#include "app/panels/frame/caption.hpp"
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"

@@ -2,7 +2,7 @@
 
 #include "app/exercises/practice/lesson_exercises.hpp"
 #include "app/exercises/practice/progress.hpp"
-#include "app/host/lesson/lesson_list.hpp"
+#include "app/host/lesson/catalogue.hpp"
 #include "app/host/ui/ui.hpp"
 
 /// The lessons as cards by chapter, with a search.

@@ -6,7 +6,7 @@
 
 #include "app/exercises/figure_scene.hpp"
 #include "app/exercises/starters.hpp"
-#include "app/host/lesson/unsaved.hpp"
+#include "app/host/lesson/saving.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/files/file_text.hpp"
 #include "lessons/write/writer.hpp"
@@ -38,7 +38,17 @@ fs::path ExerciseDesk::folder() const {
 
 void ExerciseDesk::open(const fs::path& lesson_file) {
     aside_.reset();
+    wanted_.clear();
     practice_.open(lesson_file);
+}
+
+bool ExerciseDesk::choose(const std::string& name) {
+    const std::vector<PracticeExercise>& all = practice_.exercises();
+    const auto found =
+        std::ranges::find(all, name, [](const PracticeExercise& e) { return e.exercise->name; });
+    if (found == all.end()) { return false; }
+    practice_.choose(static_cast<int>(found - all.begin()));
+    return true;
 }
 
 void ExerciseDesk::wait() {
@@ -53,14 +63,13 @@ ExerciseDesk::News ExerciseDesk::look(const OpenLesson& open, ExerciseTab& tab) 
     news.any = practice_.look();
     tab.follow(practice_);
     if (practice_.task() == nullptr || practice_.tasks_made() != begun_) {
-        if (drawing_) {
-            drawing_->stop();
-            given_up_.push_back(std::move(drawing_));
-        }
-        if (telling_) {
-            given_up_.push_back(telling_->stop());
-            telling_.reset();
-        }
+        const auto give_up = [this](auto& work) {
+            if (!work) { return; }
+            work->stop();
+            given_up_.push_back(std::move(work));
+        };
+        give_up(drawing_);
+        give_up(telling_);
         news.other_picture = std::exchange(figure_, nullptr) != nullptr;
         work_ = {};
     }
@@ -131,7 +140,7 @@ void ExerciseDesk::begin_work(const Task& task, ExerciseTab& tab) {
     StoryOptions how;
     how.with_motion = shows_motion(exercise);
     const auto lesson = std::make_shared<const Lesson>(std::move(*read.lesson));
-    telling_ = std::make_unique<BackgroundStory>(lesson, std::make_unique<StoryTelling>(*lesson, how));
+    telling_ = told_in_background(lesson, std::make_unique<StoryTelling>(*lesson, how));
 }
 
 std::string ExerciseDesk::check(const OpenLesson& open, const std::string& answer) {

@@ -4,10 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/exercises/practice/practice.hpp"
 #include "app/host/lesson/background_story.hpp"
-#include "app/host/lesson/lesson_file.hpp"
+#include "app/host/lesson/saving.hpp"
 #include "app/host/tabs/exercise_tab.hpp"
 #include "app/session/picture/still.hpp"
 #include "app/session/try/session.hpp"
@@ -36,6 +37,12 @@ public:
     /// True if a lesson of the exercise is open, and the other one was put aside.
     bool has_aside() const { return aside_.has_value(); }
     bool is_busy() const { return practice_.is_busy() || drawing_ || telling_; }
+
+    /// Begins an exercise of the lesson. @return false if the lesson has no exercise of that name
+    bool choose(const std::string& name);
+    /// Remembers the exercise that an address names, until the exercises of its lesson have been read.
+    void want(const std::string& name) { wanted_ = name; }
+    std::string take_wanted() { return std::exchange(wanted_, {}); }
 
     /// Call when another lesson has been opened; a lesson that was put aside is discarded.
     void open(const std::filesystem::path& lesson_file);
@@ -74,12 +81,13 @@ private:
     std::filesystem::path programs_;
     Practice practice_;
     ExerciseWork work_;
+    std::string wanted_;          ///< usually empty
     int begun_ = 0;               ///< number of tasks made when the last one was begun
     std::uint64_t followed_ = 0;  ///< telling of the lesson that the field shows
     std::optional<SetAside> aside_;
     std::shared_ptr<const Still> figure_;
     std::unique_ptr<Background<std::shared_ptr<const Still>>> drawing_;
-    std::unique_ptr<BackgroundStory> telling_;
+    std::unique_ptr<Background<ToldLesson>> telling_;
     std::vector<std::unique_ptr<BackgroundWork>> given_up_;
 };
 

@@ -1,4 +1,4 @@
-#include "app/host/parts/menu.hpp"
+#include "app/host/parts/bar_buttons.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,19 +48,6 @@ constexpr Line kFingers[] = {
 bool is_offered(const Ui& ui, Command command) {
     return std::ranges::find(ui.state.not_offered, command) == ui.state.not_offered.end();
 }
-
-/// Puts the entries of the menu further apart if fingers press them.
-class MenuSpacing {
-public:
-    explicit MenuSpacing(const Ui& ui) {
-        const ImVec2 usual = ImGui::GetStyle().ItemSpacing;
-        const float y = is_for_fingers() ? ui.px(14.0F) : usual.y;
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {usual.x, y});
-    }
-    ~MenuSpacing() { ImGui::PopStyleVar(); }
-    MenuSpacing(const MenuSpacing&) = delete;
-    MenuSpacing& operator=(const MenuSpacing&) = delete;
-};
 
 bool is_possible(const LessonUi& ui, Command command) {
     if (command == Command::undo) { return !ui.session.undo_text().empty(); }
@@ -138,26 +125,16 @@ float draw_sections(const panels::Canvas& canvas, const Box& box, const std::vec
     return highest;
 }
 
-}  // namespace
-
-void menu(const LessonUi& ui) {
-    if (!ImGui::IsPopupOpen("menu")) { return; }
-    const MenuSpacing spacing(ui);
-    if (!ImGui::BeginPopup("menu")) { return; }
-    for (const auto& [group, name] : kGroups) {
-        if (!ImGui::BeginMenu(tr(name))) { continue; }
-        for (const CommandInfo& info : command_table()) {
-            if (info.group != group || !is_offered(ui, info.command)) { continue; }
-            if (ImGui::MenuItem(tr(info.text), tr(info.keys), false, is_possible(ui, info.command))) {
-                ui.requests.add(info.command);
-            }
+void menu_of_group(const LessonUi& ui, Group group, const char* name) {
+    if (!ImGui::BeginMenu(name)) { return; }
+    for (const CommandInfo& info : command_table()) {
+        if (info.group != group || !is_offered(ui, info.command)) { continue; }
+        if (ImGui::MenuItem(tr(info.text), tr(info.keys), false, is_possible(ui, info.command))) {
+            ui.requests.add(info.command);
         }
-        ImGui::EndMenu();
     }
-    ImGui::EndPopup();
+    ImGui::EndMenu();
 }
-
-namespace {
 
 /// Draws the list of keys, which can be scrolled if it is higher than the sheet.
 void draw_list_of_keys(const Ui& ui, const Box& box) {
@@ -194,6 +171,18 @@ float draw_head_of_keys(const panels::Canvas& canvas, const Box& box) {
 }
 
 }  // namespace
+
+void menu(const LessonUi& ui) {
+    if (!ImGui::IsPopupOpen("menu")) { return; }
+    // fingers need entries that are further apart
+    const ImVec2 usual = ImGui::GetStyle().ItemSpacing;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {usual.x, is_for_fingers() ? ui.px(14.0F) : usual.y});
+    if (ImGui::BeginPopup("menu")) {
+        for (const auto& [group, name] : kGroups) { menu_of_group(ui, group, tr(name)); }
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar();
+}
 
 void help_overlay(const Ui& ui, const Box& window) {
     if (!ui.state.help) { return; }

@@ -26,10 +26,6 @@ std::vector<std::string> tip_of_cell(const Session& session, int row, int column
     return lines;
 }
 
-std::vector<std::string> line_of(const std::string& text) {
-    return text.empty() ? std::vector<std::string>() : std::vector<std::string>{text};
-}
-
 std::string tip_of_row(const Session& session, int row) {
     const View& view = session.view();
     for (const EquationGroup& group : view.equations) {
@@ -66,13 +62,8 @@ std::string tip_of_link(const Session& session, const Pointable& link) {
                 "fixed in body {0}: {1}", link.part == Pointable::kVectorI ? "i" : "j",
                 mechanism.bodies[static_cast<std::size_t>(body)].name);
         }
-        case Pointable::Kind::none:
-        case Pointable::Kind::symbol:
-        case Pointable::Kind::equation:
-        case Pointable::Kind::row:
-        case Pointable::Kind::column: break;
+        default: return {};
     }
-    return {};
 }
 
 }  // namespace
@@ -103,7 +94,9 @@ std::vector<std::string> tip_of(const Session& session, const Pointed& pointed, 
     if (pointed.row && pointed.column) {
         return tip_of_cell(session, pointed.row.index, pointed.column.index);
     }
-    return line_of(pointed.row ? tip_of_row(session, pointed.row.index) : tip_of_link(session, link));
+    const std::string line =
+        pointed.row ? tip_of_row(session, pointed.row.index) : tip_of_link(session, link);
+    return line.empty() ? std::vector<std::string>() : std::vector<std::string>{line};
 }
 
 }  // namespace jw::host

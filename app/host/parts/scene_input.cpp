@@ -63,8 +63,9 @@ bool SceneInput::advance(double seconds) {
     return true;
 }
 
-void SceneInput::turn(double dx, double dy) {
-    camera_ = render::orbited(camera_, dx, dy);
+/// Shows the view that the user has chosen.
+void SceneInput::put(const render::Camera& camera) {
+    camera_ = camera;
     turned_ = 1.0;
     own_ = false;
 }
@@ -72,27 +73,23 @@ void SceneInput::turn(double dx, double dy) {
 void SceneInput::zoom(
     double factor, const render::Rect& viewport, double x, double y, const Session& session) {
     const double size = std::max(1e-9, session.style().bounds.diagonal());
-    camera_ = render::zoomed(camera_, viewport, factor, x, y, size);
-    turned_ = 1.0;
-    own_ = false;
+    put(render::zoomed(camera_, viewport, factor, x, y, size));
 }
 
 void SceneInput::carry_out(Command command, const render::Rect& viewport, const Session& session) {
-    using render::StandardView;
+    // the commands have the order of the views
+    static_assert(static_cast<int>(Command::view_free) - static_cast<int>(Command::view_front) == 6);
+    if (command >= Command::view_front && command <= Command::view_free) {
+        const int view = static_cast<int>(command) - static_cast<int>(Command::view_front);
+        return show(static_cast<render::StandardView>(view));
+    }
     const double x = viewport.x + 0.5 * viewport.width;
     const double y = viewport.y + 0.5 * viewport.height;
     switch (command) {
-        case Command::view_front: return show(StandardView::front);
-        case Command::view_back: return show(StandardView::back);
-        case Command::view_left: return show(StandardView::left);
-        case Command::view_right: return show(StandardView::right);
-        case Command::view_top: return show(StandardView::top);
-        case Command::view_bottom: return show(StandardView::bottom);
-        case Command::view_free: return show(StandardView::isometric);
-        case Command::turn_left: return turn(-kTurnPerKey, 0.0);
-        case Command::turn_right: return turn(kTurnPerKey, 0.0);
-        case Command::turn_up: return turn(0.0, -kTurnPerKey);
-        case Command::turn_down: return turn(0.0, kTurnPerKey);
+        case Command::turn_left: return put(render::orbited(camera_, -kTurnPerKey, 0.0));
+        case Command::turn_right: return put(render::orbited(camera_, kTurnPerKey, 0.0));
+        case Command::turn_up: return put(render::orbited(camera_, 0.0, -kTurnPerKey));
+        case Command::turn_down: return put(render::orbited(camera_, 0.0, kTurnPerKey));
         case Command::zoom_in: return zoom(kCloserPerKey, viewport, x, y, session);
         case Command::zoom_out: return zoom(1.0 / kCloserPerKey, viewport, x, y, session);
         default: return;
@@ -101,16 +98,14 @@ void SceneInput::carry_out(Command command, const render::Rect& viewport, const 
 
 void SceneInput::handle(const LessonUi& ui, const render::Rect& viewport, bool reachable) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool over =
-        viewport.contains(static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)) &&
-        !io.WantCaptureMouse;
+    const auto x = static_cast<double>(io.MousePos.x);
+    const auto y = static_cast<double>(io.MousePos.y);
+    const bool over = viewport.contains(x, y) && !io.WantCaptureMouse;
     if (over && reachable && mode_ == Mode::idle) { point_at(ui); }
     // two fingers can pan and zoom at the same time
     if (over && (mode_ == Mode::idle || mode_ == Mode::pan) && io.MouseWheel != 0.0F) {
         const double factor = std::pow(kCloserPerNotch, static_cast<double>(io.MouseWheel));
-        zoom(
-            factor, viewport, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y),
-            ui.session);
+        zoom(factor, viewport, x, y, ui.session);
     }
     if (mode_ == Mode::idle) {
         if (!over) { return; }
@@ -178,13 +173,10 @@ void SceneInput::move(const LessonUi& ui, const render::Rect& viewport) {
         ui.requests.add(Drag{body_, point_local_, target});
         return;
     }
-    own_ = false;
-    turned_ = 1.0;
-    camera_ =
-        mode_ == Mode::orbit
-            ? render::orbited(
-                  camera_, kTurnPerPixel * static_cast<double>(dx), kTurnPerPixel * static_cast<double>(dy))
-            : render::panned(camera_, viewport, static_cast<double>(dx), static_cast<double>(dy));
+    const auto right = static_cast<double>(dx);
+    const auto down = static_cast<double>(dy);
+    put(mode_ == Mode::orbit ? render::orbited(camera_, kTurnPerPixel * right, kTurnPerPixel * down)
+                             : render::panned(camera_, viewport, right, down));
 }
 
 void SceneInput::release(const LessonUi& ui) {

@@ -45,7 +45,7 @@ private:
     enum class Mode { idle, orbit, pan, drag };
 
     void show(render::StandardView view);
-    void turn(double dx, double dy);
+    void put(const render::Camera& camera);
     void zoom(double factor, const render::Rect& viewport, double x, double y, const Session& session);
     void point_at(const LessonUi& ui);
     /// @param wanted  `drag` takes hold of a body, or turns the view if there is none

@@ -136,11 +136,7 @@ constexpr float kRightButtons = 178.0F;
 
 void right_buttons(const LessonUi& ui, const Box& box, float top) {
     ImGui::SetCursorScreenPos({box.right() - ui.px(kRightButtons - 10.0F), box.y + top});
-    command_button(ui, Command::lessons, tr("Lessons"), ui.px(74.0F));
-    ImGui::SameLine(0.0F, ui.px(4.0F));
-    menu_button(ui, {ui.px(54.0F)});
-    ImGui::SameLine(0.0F, ui.px(4.0F));
-    command_button(ui, Command::help, "?", ui.px(26.0F));
+    buttons_beside_line(ui, false);
 }
 
 /// Distance of the buttons from the upper edge of the bar; high buttons for fingers are centred.
@@ -240,17 +236,7 @@ void timeline_bar(const LessonUi& ui, const panels::FrameLayout& layout) {
     }
     const float top = top_of_buttons(ui, box);
     ImGui::SetCursorPosY(top);
-    command_button(ui, Command::first, "|<", ui.px(34.0F));
-    ImGui::SameLine(0.0F, ui.px(4.0F));
-    command_button(ui, Command::back, "<", ui.px(34.0F));
-    ImGui::SameLine(0.0F, ui.px(4.0F));
-    play_button(ui, {ui.px(92.0F)});
-    ImGui::SameLine(0.0F, ui.px(4.0F));
-    command_button(ui, Command::play_motion, tr("Motion"), ui.px(64.0F));
-    ImGui::SameLine(0.0F, ui.px(4.0F));
-    command_button(ui, Command::next, ">", ui.px(34.0F));
-    ImGui::SameLine(0.0F, ui.px(4.0F));
-    speed_button(ui, {ui.px(52.0F)});
+    buttons_beside_line(ui, true);
     ImGui::SameLine(0.0F, ui.px(12.0F));
 
     const float left = ImGui::GetCursorScreenPos().x;

@@ -5,8 +5,6 @@
 
 #include <imgui.h>
 
-#include "app/host/tabs/exercise_labels.hpp"
-#include "app/host/tabs/exercise_widgets.hpp"
 #include "app/host/ui/widgets.hpp"
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/text_lines.hpp"
@@ -114,16 +112,14 @@ bool ExerciseTab::act(const InputEvent& event, const Practice& practice, Request
     // these are the keys of letters that go into the field
     if (!typed_.empty()) { return true; }
     const bool in_list = practice.chosen() < 0;
-    const auto move = [&](int by) {
-        row_ = std::clamp(row_ + by, 0, std::max(0, static_cast<int>(practice.exercises().size()) - 1));
-        wants_row_ = true;
-    };
     switch (event.key) {
         case Key::up:
-            if (in_list) { move(-1); }
-            return in_list;
         case Key::down:
-            if (in_list) { move(1); }
+            if (in_list) {
+                const int last = std::max(0, static_cast<int>(practice.exercises().size()) - 1);
+                row_ = std::clamp(row_ + (event.key == Key::up ? -1 : 1), 0, last);
+                wants_row_ = true;
+            }
             return in_list;
         case Key::enter:
             if (in_list) {

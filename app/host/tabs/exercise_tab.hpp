@@ -4,11 +4,43 @@
 #include <string>
 #include <vector>
 
+#include "app/exercises/kinds.hpp"
 #include "app/exercises/practice/practice.hpp"
-#include "app/host/tabs/exercise_widgets.hpp"
 #include "app/host/ui/ui.hpp"
+#include "core/numerics/linear.hpp"
+#include "lessons/exercise/handed_in.hpp"
+
+struct ImFont;
 
 namespace jw::host {
+
+/// Wrapped text with formulas between dollar signs. A formula that is wider than the column can be scrolled.
+void rich_words(const Ui& ui, const std::string& text, const ImFont* font, const render::Colour& colour);
+
+/// A matrix in brackets whose marked entries are highlighted.
+void marked_matrix(const Ui& ui, const MatrixX& value, const std::vector<std::vector<bool>>& marked);
+
+/// Place in a field for the letters that are typed next.
+enum class Caret {
+    stays,
+    at_end,
+    over_all,  ///< they replace the text
+};
+
+/// A field for text of any length. Escape leaves the field and keeps the text.
+/// @param lines  height; in a field of 1 line, Enter enters the text
+/// @param enter  in a higher field: true if Enter enters the text and Ctrl+Enter breaks the line, false if
+///               the other way round
+/// @return true if the text was entered
+bool text_field(
+    const Ui& ui, const char* id, const char* hint, std::string& text, int lines = 1, bool enter = true,
+    Caret caret = Caret::stays);
+
+/// Lines of text without wrapping, in a box that scrolls in both directions.
+void text_box(const Ui& ui, const char* id, const std::string& text, int most_lines);
+
+/// Puts the next button beside the last item if it fits there; else on a new line.
+void next_button(const char* label);
 
 /// The student's work on a lesson that an exercise has handed out.
 struct ExerciseWork {
@@ -77,5 +109,21 @@ private:
     std::string answers_;                        ///< key and variant that the answer belongs to
     std::map<std::string, std::string> drafts_;  ///< unfinished answers, by key and variant
 };
+
+/// "a number   ·   2 points   ·   solved 3 times, the last 2 in a row"
+std::string facts_of(const Exercise& exercise, const ExerciseRecord& record);
+/// Slides, and whether the program may be used.
+std::string what_is_allowed(const Exercise& exercise);
+/// Names of the inputs of a program.
+std::string inputs_of_program(const Exercise& exercise);
+/// How to answer in the program, where this differs from paper, and the unit.
+std::string how_to_answer(const Task& task);
+/// "Right.", "Not correct: wrong sign."
+std::string title_of(const Judged& judged);
+
+/// True if the answer is a lesson file.
+bool is_file(ExerciseKind kind);
+/// True if the answer is typed into the field and consists only of numbers.
+bool is_of_numbers(ExerciseKind kind);
 
 }  // namespace jw::host

@@ -5,11 +5,8 @@
 
 #include "app/exercises/figure_scene.hpp"
 #include "app/exercises/value_latex.hpp"
-#include "app/host/tabs/exercise_labels.hpp"
 #include "app/host/tabs/exercise_tab.hpp"
-#include "app/host/tabs/exercise_widgets.hpp"
 #include "app/host/ui/widgets.hpp"
-#include "app/panels/frame/caption.hpp"
 #include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"

@@ -1,4 +1,4 @@
-#include "app/host/tabs/exercise_widgets.hpp"
+#include "app/host/tabs/exercise_tab.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -97,8 +97,8 @@ void parts(const LessonUi& ui) {
         ImGui::SameLine();
         const std::string type = is_joint ? std::string(lesson.mechanism.joints[k].type->name) : tr("driver");
         const bool chosen = is_joint && experiment_joint_of(ui) == addition.index;
-        if (ImGui::Selectable((name + "   " + type).c_str(), chosen)) {
-            (is_joint ? ui.state.experiment_joint : ui.state.experiment_driver) = addition.index;
+        if (ImGui::Selectable((name + "   " + type).c_str(), chosen) && is_joint) {
+            ui.state.experiment_joint = addition.index;
         }
         ImGui::PopID();
         ImGui::PopID();

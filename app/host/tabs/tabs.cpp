@@ -8,7 +8,7 @@
 
 #include "app/host/tabs/experiment_tab.hpp"
 #include "app/host/ui/widgets.hpp"
-#include "app/panels/column/column.hpp"
+#include "app/panels/column/panels.hpp"
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"

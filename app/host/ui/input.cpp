@@ -1,24 +1,19 @@
 #include "app/host/ui/input.hpp"
 
 #include <cfloat>
+#include <string_view>
 
 #include <imgui.h>
 
 namespace jw::host {
 
-InputEvent InputEvent::pointer(float x, float y) { return {.kind = Kind::pointer, .x = x, .y = y}; }
-
-InputEvent InputEvent::button(int number, bool down) {
-    return {.kind = Kind::button, .number = number, .down = down};
+Key key_of_letter(char letter) {
+    constexpr std::string_view letters = "acoqrsvxyz";
+    static_assert(static_cast<std::size_t>(Key::z) - static_cast<std::size_t>(Key::a) + 1 == letters.size());
+    const std::size_t place = letters.find(letter);
+    if (place == std::string_view::npos) { return Key::none; }
+    return static_cast<Key>(static_cast<std::size_t>(Key::a) + place);
 }
-
-InputEvent InputEvent::wheel(float notches) { return {.kind = Kind::wheel, .y = notches}; }
-
-InputEvent InputEvent::pressed(Key key, bool down) { return {.kind = Kind::key, .key = key, .down = down}; }
-
-InputEvent InputEvent::typed(unsigned character) { return {.kind = Kind::text, .character = character}; }
-
-InputEvent InputEvent::leave() { return {.kind = Kind::leave}; }
 
 std::vector<InputEvent> InputQueue::take() {
     std::size_t end = 0;

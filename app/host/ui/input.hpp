@@ -47,6 +47,9 @@ enum class Key {
     count,
 };
 
+/// Key of a letter, for commands with Ctrl and for ImGui; `none` if nothing uses the letter.
+Key key_of_letter(char letter);
+
 struct InputEvent {
     enum class Kind {
         pointer,  ///< x, y: pixels of the framebuffer
@@ -64,12 +67,16 @@ struct InputEvent {
     unsigned character = 0;
     bool down = false;
 
-    static InputEvent pointer(float x, float y);
-    static InputEvent button(int number, bool down);
-    static InputEvent wheel(float notches);
-    static InputEvent pressed(Key key, bool down = true);
-    static InputEvent typed(unsigned character);
-    static InputEvent leave();
+    static InputEvent pointer(float x, float y) { return {.kind = Kind::pointer, .x = x, .y = y}; }
+    static InputEvent button(int number, bool down) {
+        return {.kind = Kind::button, .number = number, .down = down};
+    }
+    static InputEvent wheel(float notches) { return {.kind = Kind::wheel, .y = notches}; }
+    static InputEvent pressed(Key key, bool down = true) {
+        return {.kind = Kind::key, .key = key, .down = down};
+    }
+    static InputEvent typed(unsigned character) { return {.kind = Kind::text, .character = character}; }
+    static InputEvent leave() { return {.kind = Kind::leave}; }
 };
 
 /// Events that wait for their frame. ImGui looks at buttons and keys once a frame: a press and its release

@@ -79,7 +79,13 @@ struct UiState {
     Playback playback;
 
     int experiment_joint = -1;  ///< chosen in "Try it"; -1: the joint of the step
-    int experiment_driver = 0;
+
+    /// Call when another lesson is shown.
+    void forget_lesson() {
+        forget_pointed();
+        playback.stop();
+        experiment_joint = -1;
+    }
 };
 
 /// Requests of one frame.

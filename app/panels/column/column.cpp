@@ -1,4 +1,4 @@
-#include "app/panels/column/column.hpp"
+#include "app/panels/column/panels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 
 #include <imgui.h>
 
-#include "app/panels/column/panels.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/messages.hpp"
 
@@ -30,10 +29,13 @@ Block matrix_block(const Canvas& canvas, const View& view) {
     return block;
 }
 
-/// Curves below a heading, which fill the given height.
+/// Curves below a heading, which fill the given height; nothing if there are no values.
 Block plot_block(
-    const Canvas& canvas, float wish, const char* title, const char* aside,
+    const Canvas& canvas, bool has_values, float wish, const char* title, const char* aside,
     std::function<void(const Canvas&, const Box&)> draw) {
+    if (!has_values) {
+        return {[](const Canvas&, const Box&, Density) { return 0.0F; }};
+    }
     return {
         [=](const Canvas& c, const Box& box, Density) {
             Box rest = box;
@@ -58,10 +60,6 @@ Block block_of(const View& view, Panel draw) {
     return {[&view, draw](const Canvas& c, const Box& box, Density density) {
         return draw(c, box, view, density);
     }};
-}
-
-float no_panel(const Canvas& /*canvas*/, const Box& /*box*/, const View& /*view*/, Density /*density*/) {
-    return 0.0F;
 }
 
 float equations_of_step(const Canvas& canvas, const Box& box, const View& view, Density density) {
@@ -118,16 +116,14 @@ float failure_panel(const Canvas& canvas, const Box& box, const View& view, Dens
 }
 
 Block singular_values_block(const Canvas& canvas, const View& view) {
-    if (view.rank.singular_values.empty()) { return block_of(view, no_panel); }
     return plot_block(
-        canvas, 170.0F, tr("Singular values"), tr("of Φq in (r, ω′)"),
+        canvas, !view.rank.singular_values.empty(), 170.0F, tr("Singular values"), tr("of Φq in (r, ω′)"),
         [&view](const Canvas& c, const Box& box) { singular_values_plot(c, box, view.rank); });
 }
 
 Block convergence_block(const Canvas& canvas, const View& view) {
-    if (view.newton.empty()) { return block_of(view, no_panel); }
     return plot_block(
-        canvas, 160.0F, "‖Φ‖", tr("from iteration to iteration"),
+        canvas, !view.newton.empty(), 160.0F, "‖Φ‖", tr("from iteration to iteration"),
         [&view](const Canvas& c, const Box& box) { convergence_plot(c, box, view.newton); });
 }
 

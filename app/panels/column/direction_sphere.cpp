@@ -7,7 +7,6 @@
 
 #include <imgui.h>
 
-#include "app/panels/column/sphere_parts.hpp"
 #include "app/panels/parts/formula.hpp"
 #include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/theme.hpp"
@@ -120,9 +119,10 @@ void draw_arrow_head(const Canvas& canvas, Point tip, Point from, Colour colour)
     const float size = canvas.px(7.0F);
     const Point base{tip.x - size * u.x, tip.y - size * u.y};
     const float half = 0.45F * size;
-    canvas.gradient_triangle(
-        {tip, {base.x - half * u.y, base.y + half * u.x}, {base.x + half * u.y, base.y - half * u.x}},
-        {colour, colour, colour});
+    const std::array<Point, 3> corners{
+        tip, Point{base.x - half * u.y, base.y + half * u.x},
+        Point{base.x + half * u.y, base.y - half * u.x}};
+    canvas.gradient_mesh(corners, std::array{colour, colour, colour}, std::array<unsigned short, 3>{0, 1, 2});
 }
 
 void draw_letter(const Canvas& canvas, Point at, Colour colour, const std::string& text, Labels& labels) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
 #include <imgui.h>
 
@@ -40,21 +39,19 @@ float draw_slide_24(const Canvas& canvas, const Box& box) {
     return height + canvas.px(4.0F);
 }
 
+/// A column of M or Q. Its end is a part of the width: in one table with all columns, and in one of two
+/// tables, one below the other, for large text in a narrow column of panels.
 struct Heading {
     const char* symbol;
     const char* unit;
-    float end;  ///< of the column, in parts of the width
+    float end_in_one;
+    float end_in_two;
 };
-constexpr std::array kOneTable{
-    Heading{"m", "kg", 0.12F}, Heading{R"(\mathbf{J}')", tr_later("xx, yy, zz in kg m²"), 0.42F},
-    Heading{R"(\mathbf{f})", "N", 0.71F},
-    Heading{R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')", "N m", 1.0F}};
-/// The same in two tables, one below the other, for large text in a narrow column.
-constexpr std::array kOfM{
-    Heading{"m", "kg", 0.25F}, Heading{R"(\mathbf{J}')", tr_later("xx, yy, zz in kg m²"), 1.0F}};
-constexpr std::array kOfQ{
-    Heading{R"(\mathbf{f})", "N", 0.5F},
-    Heading{R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')", "N m", 1.0F}};
+constexpr std::array kHeadings{
+    Heading{"m", "kg", 0.12F, 0.25F}, Heading{R"(\mathbf{J}')", tr_later("xx, yy, zz in kg m²"), 0.42F, 1.0F},
+    Heading{R"(\mathbf{f})", "N", 0.71F, 0.5F},
+    Heading{
+        R"(\mathbf{n}' - \tilde{\boldsymbol{\omega}}' \mathbf{J}' \boldsymbol{\omega}')", "N m", 1.0F, 1.0F}};
 
 /// A number with few digits, whatever its size: masses may differ by several powers of ten.
 std::string short_number(double value) {
@@ -86,28 +83,45 @@ void draw_head(const Canvas& canvas, const Box& cell, const char* symbol, const 
     draw_formula(canvas, {cell.right() - width - formula.width, baseline}, formula, theme::kInk);
 }
 
-/// A table with one row per body; `draw` fills the cells of a row.
-template <class DrawBody>
+void draw_cell_of_body(
+    const Canvas& canvas, const Box& cell, const DynamicsView::Body& body, std::size_t column,
+    double nothing) {
+    switch (column) {
+        case 0:
+            canvas.text(
+                {cell.right(), cell.y}, canvas.fonts().small, theme::kInk, short_number(body.mass),
+                Align::right);
+            return;
+        case 1: return draw_triple(canvas, cell, body.J_local.diagonal());
+        case 2: return draw_triple(canvas, cell, body.f, nothing);
+        default: return draw_triple(canvas, cell, body.n_local, nothing);
+    }
+}
+
+/// The columns of kHeadings from `first` to `last`, with one row per body.
 float draw_table(
-    const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most,
-    std::span<const Heading> heads, const DrawBody& draw) {
+    const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most, std::size_t first,
+    std::size_t last, float Heading::*end) {
     const ImFont* const small = canvas.fonts().small;
+    const double nothing = 1e-9 * dynamics.Q.cwiseAbs().maxCoeff();
     const float line = canvas.line_height(small) + canvas.px(2.0F);
     const float name = 0.15F * box.width;
     const auto cell = [&](std::size_t column, float y) {
         const float width = box.width - name;
-        const float from = column == 0 ? 0.0F : heads[column - 1].end;
-        return Box{box.x + name + from * width, y, (heads[column].end - from) * width, line};
+        const float from = column == first ? 0.0F : kHeadings[column - 1].*end;
+        return Box{box.x + name + from * width, y, (kHeadings[column].*end - from) * width, line};
     };
     float y = box.y;
-    for (std::size_t k = 0; k < heads.size(); ++k) {
-        draw_head(canvas, cell(k, y), heads[k].symbol, tr(heads[k].unit));
+    for (std::size_t k = first; k <= last; ++k) {
+        draw_head(canvas, cell(k, y), kHeadings[k].symbol, tr(kHeadings[k].unit));
     }
     y += line;
     for (std::size_t b = 0; b < std::min(most, dynamics.bodies.size()); ++b) {
         const DynamicsView::Body& body = dynamics.bodies[b];
         canvas.text({box.x, y}, small, theme::kInk, shortened_name(*small, body.name, name));
-        draw(body, [&](std::size_t column) { return cell(column, y); });
+        for (std::size_t k = first; k <= last; ++k) {
+            draw_cell_of_body(canvas, cell(k, y), body, k, nothing);
+        }
         y += line;
     }
     if (dynamics.bodies.size() > most) {
@@ -119,35 +133,14 @@ float draw_table(
     return y - box.y;
 }
 
-void draw_mass(const Canvas& canvas, const Box& cell, double mass) {
-    canvas.text({cell.right(), cell.y}, canvas.fonts().small, theme::kInk, short_number(mass), Align::right);
-}
-
 /// M and Q, one row per body.
 float draw_bodies(const Canvas& canvas, const Box& box, const DynamicsView& dynamics, std::size_t most) {
     const float number = canvas.text_width(canvas.fonts().small, "−0.0123") + canvas.px(2.0F);
-    const double nothing = 1e-9 * dynamics.Q.cwiseAbs().maxCoeff();
     if (0.29F * 0.85F * box.width >= 3.0F * number) {
-        return draw_table(
-            canvas, box, dynamics, most, kOneTable, [&](const DynamicsView::Body& body, const auto& cell) {
-                draw_mass(canvas, cell(0), body.mass);
-                draw_triple(canvas, cell(1), body.J_local.diagonal());
-                draw_triple(canvas, cell(2), body.f, nothing);
-                draw_triple(canvas, cell(3), body.n_local, nothing);
-            });
+        return draw_table(canvas, box, dynamics, most, 0, 3, &Heading::end_in_one);
     }
-    const float height =
-        draw_table(canvas, box, dynamics, most, kOfM, [&](const DynamicsView::Body& body, const auto& cell) {
-            draw_mass(canvas, cell(0), body.mass);
-            draw_triple(canvas, cell(1), body.J_local.diagonal());
-        });
-    const Box below{box.x, box.y + height, box.width, 0.0F};
-    return height +
-           draw_table(
-               canvas, below, dynamics, most, kOfQ, [&](const DynamicsView::Body& body, const auto& cell) {
-                   draw_triple(canvas, cell(0), body.f, nothing);
-                   draw_triple(canvas, cell(1), body.n_local, nothing);
-               });
+    const float height = draw_table(canvas, box, dynamics, most, 0, 1, &Heading::end_in_two);
+    return height + draw_table(canvas, below(box, height), dynamics, most, 2, 3, &Heading::end_in_two);
 }
 
 /// "A  s x −1.2, s y 0.4, p1 x (0)": λ of one joint, those of redundant equations in brackets.
@@ -180,8 +173,8 @@ float draw_multipliers(const Canvas& canvas, const Box& box, const DynamicsView&
             canvas.text({box.x, box.y + height}, fonts.small, theme::kSoft, tr("and more joints"));
             return height + canvas.line_height(fonts.small);
         }
-        const Box rest{box.x, box.y + height, box.width, 0.0F};
-        height += paragraph(canvas, rest, fonts.small, theme::kInk, multipliers_line(dynamics, first), 2);
+        height += paragraph(
+            canvas, below(box, height), fonts.small, theme::kInk, multipliers_line(dynamics, first), 2);
     }
     return height;
 }
@@ -207,16 +200,15 @@ float dynamics_panel(const Canvas& canvas, const Box& box, const View& view, Den
     if (!view.dynamics) { return 0.0F; }
     const DynamicsView& dynamics = *view.dynamics;
     const bool tight = density >= Density::tight;
-    const std::size_t most = density == Density::roomy ? 6 : (tight ? 2 : 4);
+    const auto most = at_density<std::size_t>(density, 6, 4, 2);
     float height =
         heading(canvas, box, tr("Equations of motion"), tr("(r, ω′), bodies at their centres of mass"));
-    const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
     const float gap = canvas.px(tight ? 2.0F : 5.0F);
-    if (!tight) { height += draw_slide_24(canvas, below()); }
-    height += draw_bodies(canvas, below(), dynamics, most) + gap;
+    if (!tight) { height += draw_slide_24(canvas, below(box, height)); }
+    height += draw_bodies(canvas, below(box, height), dynamics, most) + gap;
     if (density == Density::bare) { return height; }
-    height += draw_multipliers(canvas, below(), dynamics, most) + gap;
-    return height + draw_sums(canvas, below(), dynamics);
+    height += draw_multipliers(canvas, below(box, height), dynamics, most) + gap;
+    return height + draw_sums(canvas, below(box, height), dynamics);
 }
 
 }  // namespace jw::panels

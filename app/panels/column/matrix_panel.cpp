@@ -29,10 +29,6 @@ std::string name_of(CoordinateChoice choice) {
     return tr("in (r, ω)");
 }
 
-std::string size_of(const MatrixView& matrix) {
-    return std::to_string(matrix.rows.size()) + " × " + std::to_string(matrix.columns.size());
-}
-
 double largest_of(const MatrixView& matrix) {
     return matrix.values.size() == 0 ? 0.0 : matrix.values.cwiseAbs().maxCoeff();
 }
@@ -262,7 +258,8 @@ Colour colour_of_entry(double value, double largest) {
 }
 
 float matrix_panel(const Canvas& canvas, const Box& box, const MatrixView& matrix) {
-    const std::string title = name_of(matrix.choice) + "   " + size_of(matrix);
+    const std::string title = name_of(matrix.choice) + "   " + std::to_string(matrix.rows.size()) + " × " +
+                              std::to_string(matrix.columns.size());
     const float top = heading(canvas, box, "\\boldsymbol{\\Phi}_q", title, {});
     const double largest = largest_of(matrix);
     const float room = box.width - canvas.px(4.0F) - canvas.text_width(canvas.fonts().bold, title) -

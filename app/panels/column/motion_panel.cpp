@@ -170,16 +170,12 @@ float table(
     return row.y - box.y;
 }
 
-std::size_t most_bodies(Density density) {
-    return density == Density::roomy ? 14 : (density == Density::compact ? 8 : 5);
-}
-
 }  // namespace
 
 float quantities_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
     if (view.quantities.empty()) { return 0.0F; }
     float height = heading(canvas, box, tr("Joints"), tr("■ driven   □ follows"));
-    const std::size_t most = density == Density::roomy ? 8 : (density == Density::compact ? 6 : 4);
+    const auto most = at_density<std::size_t>(density, 8, 6, 4);
     const float line = row_height(canvas);
     const QuantityStyle style = quantity_style(canvas, box.width, view.quantities);
     for (std::size_t k = 0; k < std::min(most, view.quantities.size()); ++k) {
@@ -192,9 +188,9 @@ float quantities_panel(const Canvas& canvas, const Box& box, const View& view, D
         height += line;
     }
     if (!view.velocity_note.empty()) {
-        const Box below{box.x, box.y + height + canvas.px(3.0F), box.width, 0.0F};
+        const Box rest{box.x, box.y + height + canvas.px(3.0F), box.width, 0.0F};
         height += canvas.px(3.0F) +
-                  paragraph(canvas, below, canvas.fonts().small, theme::kWarning, view.velocity_note, 3);
+                  paragraph(canvas, rest, canvas.fonts().small, theme::kWarning, view.velocity_note, 3);
     }
     return height;
 }
@@ -202,11 +198,10 @@ float quantities_panel(const Canvas& canvas, const Box& box, const View& view, D
 float bodies_motion_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
     if (view.bodies.empty()) { return 0.0F; }
     float height = heading(canvas, box, tr("Bodies"), tr("x, y, z in the global frame"));
-    const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
     height += table(
-        canvas, below(), view.bodies,
+        canvas, below(box, height), view.bodies,
         {{"\\mathbf{r}", "m"}, {"\\dot{\\mathbf{r}}", "m/s"}, {"\\boldsymbol{\\omega}", "rad/s"}},
-        most_bodies(density), [&](const Box& row, const BodyMotion& body) {
+        at_density<std::size_t>(density, 14, 8, 5), [&](const Box& row, const BodyMotion& body) {
             draw_numbers(canvas, vector_cell(row, 0, 3), body.r, 3);
             draw_numbers(canvas, vector_cell(row, 1, 3), body.r_dot, 2);
             draw_numbers(canvas, vector_cell(row, 2, 3), body.omega, 2);
@@ -215,9 +210,9 @@ float bodies_motion_panel(const Canvas& canvas, const Box& box, const View& view
     height += canvas.px(4.0F);
     return height +
            table(
-               canvas, below(), view.bodies,
+               canvas, below(box, height), view.bodies,
                {{"", ""}, {"\\ddot{\\mathbf{r}}", "m/s²"}, {"\\dot{\\boldsymbol{\\omega}}", "rad/s²"}},
-               most_bodies(density), [&](const Box& row, const BodyMotion& body) {
+               at_density<std::size_t>(density, 14, 8, 5), [&](const Box& row, const BodyMotion& body) {
                    draw_numbers(canvas, vector_cell(row, 1, 3), body.r_ddot, 2);
                    draw_numbers(canvas, vector_cell(row, 2, 3), body.omega_dot, 2);
                });
@@ -226,11 +221,11 @@ float bodies_motion_panel(const Canvas& canvas, const Box& box, const View& view
 float coordinates_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
     if (view.bodies.empty()) { return 0.0F; }
     const float height = heading(canvas, box, tr("Coordinates q"), tr("where the bodies start"));
-    const Box below{box.x, box.y + height, box.width, 0.0F};
     return height + table(
-                        canvas, below, view.bodies,
+                        canvas, below(box, height), view.bodies,
                         {{"\\mathbf{r}", tr("x, y, z in m")}, {"\\mathbf{p}", "e₀, e₁, e₂, e₃"}},
-                        2 * most_bodies(density), [&](const Box& row, const BodyMotion& body) {
+                        at_density<std::size_t>(density, 28, 16, 10),
+                        [&](const Box& row, const BodyMotion& body) {
                             draw_numbers(canvas, vector_cell(row, 0, 2), body.r, 3);
                             draw_numbers(canvas, vector_cell(row, 1, 2), body.p, 3);
                         });

@@ -138,24 +138,19 @@ float draw_row(const Canvas& canvas, const Box& box, const NewtonRow& row, bool 
     return total;
 }
 
-std::size_t most_rows(Density density) {
-    return density == Density::roomy ? 12 : (density == Density::compact ? 8 : 5);
-}
-
 }  // namespace
 
 float newton_panel(const Canvas& canvas, const Box& box, const View& view, Density density) {
     const std::vector<NewtonRow>& rows = view.newton;
     if (rows.empty()) { return 0.0F; }
-    const std::size_t most = most_rows(density);
+    const auto most = at_density<std::size_t>(density, 12, 8, 5);
     const std::size_t first = rows.size() > most ? rows.size() - most : 0;
     const std::string note = first > 0 ? tr("{0} earlier ones not shown", first) : "Φq Δq = −Φ";
     float height = heading(canvas, box, tr("Newton–Raphson"), note);
-    draw_head(canvas, {box.x, box.y + height, box.width, 0.0F});
+    draw_head(canvas, below(box, height));
     height += canvas.line_height(canvas.fonts().small) + canvas.px(3.0F);
     for (std::size_t k = first; k < rows.size(); ++k) {
-        const Box rest{box.x, box.y + height, box.width, 0.0F};
-        height += draw_row(canvas, rest, rows[k], k + 1 == rows.size());
+        height += draw_row(canvas, below(box, height), rows[k], k + 1 == rows.size());
     }
     return height;
 }

@@ -81,8 +81,7 @@ float titled_list(
     const ImFont* const small = canvas.fonts().small;
     canvas.text({box.x, box.y}, small, theme::kSoft, title);
     const float line = canvas.line_height(small);
-    const Box rest{box.x, box.y + line, box.width, 0.0F};
-    return line + list_of_texts(canvas, rest, texts, most, lines_each) + canvas.px(4.0F);
+    return line + list_of_texts(canvas, below(box, line), texts, most, lines_each) + canvas.px(4.0F);
 }
 
 float warning(const Canvas& canvas, const Box& box, const std::string& text) {
@@ -129,25 +128,24 @@ float rank_figures(const Canvas& canvas, const Box& box, const View& view, Densi
         x += (narrow ? 1.0F / 3.0F : figures[k].share) * box.width;
     }
     const float height = top + (narrow ? 2.0F : 1.0F) * row;
-    return height + once_assembled_line(canvas, {box.x, box.y + height, box.width, 0.0F}, rank);
+    return height + once_assembled_line(canvas, below(box, height), rank);
 }
 
 float rank_warnings(const Canvas& canvas, const Box& box, const View& view, Density /*density*/) {
     const RankView& rank = view.rank;
     float height = 0.0F;
-    const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
     if (!rank.assembled) {
         height += warning(
-            canvas, below(),
+            canvas, below(box, height),
             tr("Not assembled: the largest |Φ| is {0}. Which rows are redundant is decided once the "
                "equations "
                "hold.",
                small_text(rank.residual)));
     }
-    for (const std::string& doubt : rank.doubts) { height += warning(canvas, below(), doubt); }
+    for (const std::string& doubt : rank.doubts) { height += warning(canvas, below(box, height), doubt); }
     if (rank.near_singular) {
         height += warning(
-            canvas, below(),
+            canvas, below(box, height),
             tr("Nearly singular: a singular value is small, but above the threshold. The rank is about to "
                "drop."));
     }
@@ -156,13 +154,13 @@ float rank_warnings(const Canvas& canvas, const Box& box, const View& view, Dens
 
 float rank_words(const Canvas& canvas, const Box& box, const View& view, Density density) {
     const RankView& rank = view.rank;
-    const std::size_t most = density == Density::roomy ? 3 : (density == Density::compact ? 2 : 1);
+    const auto most = at_density<std::size_t>(density, 3, 2, 1);
     const std::size_t lines = density >= Density::tight ? 1 : 2;
     float height = rank_warnings(canvas, box, view, density);
-    const auto below = [&] { return Box{box.x, box.y + height, box.width, 0.0F}; };
-    height += titled_list(canvas, below(), tr("Dependent equations"), rank.combinations, most, lines);
+    height +=
+        titled_list(canvas, below(box, height), tr("Dependent equations"), rank.combinations, most, lines);
     const char* const title = rank.dof == 1 ? tr("The freedom that is left") : tr("Freedoms that are left");
-    height += titled_list(canvas, below(), title, rank.told_motions(), most, lines);
+    height += titled_list(canvas, below(box, height), title, rank.told_motions(), most, lines);
     return height;
 }
 

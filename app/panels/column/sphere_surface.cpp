@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/panels/column/sphere_parts.hpp"
+#include "app/panels/column/direction_sphere.hpp"
 #include "app/panels/parts/theme.hpp"
 #include "app/session/wording/labels.hpp"
 #include "app/session/wording/messages.hpp"

@@ -1,4 +1,4 @@
-#include "app/panels/frame/caption.hpp"
+#include "app/panels/frame/frame.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,12 +81,6 @@ const ImFont* font_of_sentence(const Canvas& canvas, const Box& inner, const Vie
     return wrapped(*fonts.normal, view.sentence, inner.width).size() > 3 ? fonts.small : fonts.normal;
 }
 
-std::string trimmed(std::string text) {
-    const auto first = text.find_first_not_of(" \n");
-    if (first == std::string::npos) { return {}; }
-    return text.substr(first, text.find_last_not_of(" \n") - first + 1);
-}
-
 /// Paragraphs of a question or an answer, one below the other.
 struct Asked {
     std::string text;
@@ -130,18 +124,6 @@ void draw_question(const Canvas& canvas, Box box, const QuestionView& question) 
 }
 
 }  // namespace
-
-std::string run_on(std::string_view text) {
-    std::string joined;
-    for (std::size_t k = 0; k < text.size(); ++k) {
-        const bool paragraph = text[k] == '\n' && k + 1 < text.size() && text[k + 1] == '\n';
-        joined += text[k] == '\n' && !paragraph ? ' ' : text[k];
-        if (paragraph) {
-            while (k + 1 < text.size() && text[k + 1] == '\n') { ++k; }
-        }
-    }
-    return trimmed(joined);
-}
 
 void draw_title(const Canvas& canvas, const Box& box, const View& view) {
     const render::Fonts& fonts = canvas.fonts();

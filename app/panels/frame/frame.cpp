@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/column/column.hpp"
+#include "app/panels/column/panels.hpp"
 #include "app/panels/frame/annotations.hpp"
-#include "app/panels/frame/caption.hpp"
 #include "app/panels/parts/theme.hpp"
 
 namespace jw::panels {

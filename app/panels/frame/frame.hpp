@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/panels/parts/canvas.hpp"
+#include "app/panels/parts/parts.hpp"
 #include "app/session/picture/picture.hpp"
 #include "app/session/view/view.hpp"
 #include "render/fonts/fonts.hpp"
@@ -63,5 +64,14 @@ FrameLayout layout_in(const Box& frame, FrameKind kind, float scale, float densi
 void draw_frame(
     const Canvas& canvas, const View& view, const Picture& picture, const render::Camera& camera,
     const FrameLayout& layout);
+
+/// Draws lesson, step, source, number of the step and time; the line below shows the progress of the story.
+void draw_title(const Canvas& canvas, const Box& box, const View& view);
+
+/// Draws what happened in the step, and the author's text about it.
+void draw_caption(const Canvas& canvas, const Box& box, const View& view);
+
+/// Height that a caption of this width needs to show every sentence, `box.height` if that is enough.
+float caption_height(const Canvas& canvas, const Box& box, const View& view);
 
 }  // namespace jw::panels

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "render/scene/camera.hpp"
 
@@ -46,6 +48,9 @@ inline Box shrunk(const Box& box, float dx, float dy) {
         std::max(0.0F, box.height - 2.0F * dy)};
 }
 
+/// A box without height below the first `used` pixels of another one.
+inline Box below(const Box& box, float used) { return {box.x, box.y + used, box.width, 0.0F}; }
+
 /// Column `index` of `count` equal ones.
 inline Box column_of(const Box& box, int index, int count) {
     const float width = box.width / static_cast<float>(count);
@@ -67,6 +72,27 @@ inline Box cut_left(Box& rest, float width) {
     rest.x += taken;
     rest.width -= taken;
     return left;
+}
+
+/// The part of a line within a box, by Liang and Barsky; empty if there is none.
+inline std::optional<std::array<Point, 2>> clipped(Point a, Point b, const Box& box) {
+    float enter = 0.0F;
+    float leave = 1.0F;
+    const float dx = b.x - a.x;
+    const float dy = b.y - a.y;
+    const std::array<std::array<float, 2>, 4> sides{
+        {{-dx, a.x - box.x}, {dx, box.right() - a.x}, {-dy, a.y - box.y}, {dy, box.bottom() - a.y}}};
+    for (const auto& [slope, room] : sides) {
+        if (slope == 0.0F) {
+            if (room < 0.0F) { return std::nullopt; }
+        } else if (slope < 0.0F) {
+            enter = std::max(enter, room / slope);
+        } else {
+            leave = std::min(leave, room / slope);
+        }
+    }
+    if (enter > leave) { return std::nullopt; }
+    return std::array<Point, 2>{{{a.x + enter * dx, a.y + enter * dy}, {a.x + leave * dx, a.y + leave * dy}}};
 }
 
 inline render::Rect rect_of(const Box& box) { return {box.x, box.y, box.width, box.height}; }

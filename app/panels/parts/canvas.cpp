@@ -180,20 +180,6 @@ void Canvas::square(Point centre, float side, Colour colour, bool filled) const 
     }
 }
 
-void Canvas::gradient_triangle(const Point (&corners)[3], const Colour (&colours)[3]) const {
-    if (strokes_ != nullptr) {
-        return strokes_->triangle(
-            {corners[0], corners[1], corners[2]},
-            {render::toned(colours[0], tone_), render::toned(colours[1], tone_),
-             render::toned(colours[2], tone_)});
-    }
-    if (list_ == nullptr) { return; }
-    list_->PrimReserve(3, 3);
-    for (std::size_t k = 0; k < 3; ++k) {
-        list_->PrimVtx(vec(corners[k]), ImGui::GetFontTexUvWhitePixel(), packed(colours[k]));
-    }
-}
-
 void Canvas::gradient_mesh(
     std::span<const Point> corners, std::span<const Colour> colours,
     std::span<const unsigned short> triangles) const {

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "app/panels/parts/box.hpp"
-#include "app/panels/parts/strokes.hpp"
 #include "app/session/picture/pointable.hpp"
 #include "app/session/view/symbols.hpp"
 #include "render/fonts/fonts.hpp"
@@ -17,6 +17,26 @@ struct ImFont;
 struct ImFontGlyph;
 
 namespace jw::panels {
+
+/// Receives shapes that a canvas draws instead of pixels, for pictures that stay sharp at any size. Lengths
+/// in pixels of the frame, y down; later shapes are over earlier ones.
+class Strokes {
+public:
+    using Colour = render::Colour;
+
+    virtual ~Strokes() = default;
+    virtual void fill(const Box& box, const Colour& colour, float rounding) = 0;
+    virtual void outline(const Box& box, const Colour& colour, float thickness, float rounding) = 0;
+    virtual void line(Point from, Point to, const Colour& colour, float thickness) = 0;
+    virtual void disc(Point centre, float radius, const Colour& colour) = 0;
+    virtual void ring(Point centre, float radius, const Colour& colour, float thickness) = 0;
+    virtual void triangle(const std::array<Point, 3>& corners, const std::array<Colour, 3>& colours) = 0;
+    /// @param pen  start of the letter on its baseline
+    /// @param character  in the numbering of `font`: letters of formulas have private numbers
+    /// @param stretch  in height, about the baseline
+    virtual void letter(
+        Point pen, const ImFont& font, char32_t character, const Colour& colour, float stretch) = 0;
+};
 
 using render::Colour;
 
@@ -90,10 +110,7 @@ public:
     void hatch(const Box& box, Colour colour, float distance) const;
     /// A square, or its outline if not `filled`; about as large as a small letter.
     void square(Point centre, float side, Colour colour, bool filled) const;
-    /// A filled triangle whose corners may differ in colour.
-    void gradient_triangle(const Point (&corners)[3], const Colour (&colours)[3]) const;
-
-    /// Filled triangles with shared corners; three indices each.
+    /// Filled triangles with shared corners, which may differ in colour; three indices each.
     void gradient_mesh(
         std::span<const Point> corners, std::span<const Colour> colours,
         std::span<const unsigned short> triangles) const;

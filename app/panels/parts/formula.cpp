@@ -63,9 +63,9 @@ void draw_formula(const Canvas& canvas, Point baseline, const Formula& formula, 
         const Point at{baseline.x + g.origin.x, std::round(baseline.y) + g.origin.y};
         canvas.glyph(at, *g.glyph, colours ? colour_of(g.ink, colour) : colour, g.stretch);
     }
-    for (const FormulaRule& rule : formula.rules) {
-        const float y = std::round(baseline.y) + rule.box.y;
-        canvas.fill({baseline.x + rule.box.x, y, rule.box.width, rule.box.height}, colour);
+    for (const Box& rule : formula.rules) {
+        const float y = std::round(baseline.y) + rule.y;
+        canvas.fill({baseline.x + rule.x, y, rule.width, rule.height}, colour);
     }
 }
 

@@ -32,10 +32,6 @@ struct FormulaGlyph {
     Ink ink = Ink::plain;
     float stretch = 1.0F;  ///< in height, of delimiters and roots around tall contents
 };
-/// The line of a fraction, a root or a bracket.
-struct FormulaRule {
-    Box box;  ///< from the left end of the baseline
-};
 
 /// A symbol of the formula, with its dots and scripts.
 struct FormulaSymbol {
@@ -46,7 +42,7 @@ struct FormulaSymbol {
 struct Formula {
     std::vector<FormulaGlyph> glyphs;
     std::vector<FormulaSymbol> symbols;
-    std::vector<FormulaRule> rules;
+    std::vector<Box> rules;  ///< lines of fractions, roots and brackets, from the left end of the baseline
     float width = 0.0F;
     float ascent = 0.0F;   ///< height of the drawn parts above the baseline
     float descent = 0.0F;  ///< depth below the baseline

@@ -19,7 +19,7 @@ constexpr float kRule = 0.045F;        ///< thickness of lines
 constexpr float kFractionGap = 0.13F;  ///< between the line and the parts above and below it
 constexpr float kFractionSide = 0.12F;
 constexpr float kRootGap = 0.12F;
-constexpr float kColumnGap = 0.8F;
+constexpr float kBetweenColumns = 0.8F;
 constexpr float kRowGap = 0.22F;
 constexpr float kLeastRow = 0.75F;
 constexpr float kBracketWidth = 0.22F;
@@ -27,7 +27,7 @@ constexpr float kBracketWidth = 0.22F;
 float thickness(float em) { return std::max(1.0F, std::round(kRule * em)); }
 
 void add_rule(Formula& formula, const Box& box) {
-    formula.rules.push_back({box});
+    formula.rules.push_back(box);
     formula.ascent = std::max(formula.ascent, -box.y);
     formula.descent = std::max(formula.descent, box.bottom());
 }
@@ -66,10 +66,8 @@ void put_into(Formula& whole, const Formula& part, Point at) {
         symbol.box.y += at.y;
         whole.symbols.push_back(std::move(symbol));
     }
-    for (FormulaRule rule : part.rules) {
-        rule.box.x += at.x;
-        rule.box.y += at.y;
-        whole.rules.push_back(rule);
+    for (const Box& rule : part.rules) {
+        whole.rules.push_back({rule.x + at.x, rule.y + at.y, rule.width, rule.height});
     }
     whole.width = std::max(whole.width, at.x + part.width);
     if (part.glyphs.empty() && part.rules.empty()) { return; }
@@ -195,7 +193,7 @@ Formula matrix_formula(
         for (std::size_t c = 0; c < rows[r].size(); ++c) {
             const float free = left_aligned ? 0.0F : 0.5F * (widths[c] - rows[r][c].width);
             put_into(matrix, rows[r][c], {x + free, baseline});
-            x += widths[c] + (c + 1 < widths.size() ? kColumnGap * em : 0.0F);
+            x += widths[c] + (c + 1 < widths.size() ? kBetweenColumns * em : 0.0F);
         }
         matrix.width = std::max(matrix.width, x);
         top += lines[r].ascent + lines[r].descent + kRowGap * em;

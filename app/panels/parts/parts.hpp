@@ -13,6 +13,12 @@ namespace jw::panels {
 /// room for `tight`: a window scrolls instead.
 enum class Density { roomy, compact, tight, bare };
 
+/// The value for a density; `bare` is as `tight`.
+template <class T>
+T at_density(Density density, T roomy, T compact, T tight) {
+    return density == Density::roomy ? roomy : (density == Density::compact ? compact : tight);
+}
+
 /// Draws a bold title at the left, a pale note at the right, and a thin line below.
 float heading(const Canvas& canvas, const Box& box, std::string_view title, std::string_view note = {});
 

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "app/panels/parts/parts.hpp"
 #include "app/panels/parts/text_lines.hpp"
 #include "app/panels/parts/theme.hpp"
 
@@ -55,12 +56,10 @@ public:
     /// Adds code, which is not broken into lines.
     void add_code(const std::string& code) {
         const float beside = std::round(kBesideCode * font_->FontSize);
-        may_break_ = may_break_ || may_break_between(last_, kFormula);
-        last_ = kFormula;
         RichPiece piece;
         piece.words = code;
         piece.shade = text_width(*font_, code) + 2.0F * beside;
-        put(piece, piece.shade);
+        put(piece, piece.shade, kFormula, kFormula);
     }
 
     void add_formula(const math::Row& row, float width) {
@@ -100,29 +99,26 @@ private:
 
     void put_words(std::string_view part) {
         const std::u32string characters = from_utf8(part);
-        may_break_ = may_break_ || may_break_between(last_, characters.front());
         RichPiece piece;
         piece.words = part;
-        put(std::move(piece), text_width(*font_, part));
-        last_ = characters.back();
+        put(std::move(piece), text_width(*font_, part), characters.front(), characters.back());
     }
 
     void put_formula(Formula formula) {
-        may_break_ = may_break_ || may_break_between(last_, kFormula);
-        last_ = kFormula;
         RichPiece piece;
         const float width = formula.width;
         piece.formula = std::move(formula);
-        put(std::move(piece), width);
+        put(std::move(piece), width, kFormula, kFormula);
     }
 
-    void put(RichPiece piece, float width) {
-        if (chunks_.empty() || pending_space_ || after_display_ || may_break_) {
+    void put(RichPiece piece, float width, char32_t first, char32_t last) {
+        // a line may also break here without a space
+        if (chunks_.empty() || pending_space_ || after_display_ || may_break_between(last_, first)) {
             chunks_.push_back({{}, 0.0F, pending_space_, pending_line_, false});
         }
+        last_ = last;
         pending_space_ = false;
         pending_line_ = false;
-        may_break_ = false;
         after_display_ = false;
         Chunk& chunk = chunks_.back();
         piece.x = chunk.width;
@@ -136,7 +132,6 @@ private:
     char32_t last_ = U' ';  ///< last character before the next piece
     bool pending_space_ = false;
     bool pending_line_ = false;
-    bool may_break_ = false;  ///< a line may break here without a space
     bool after_display_ = false;
 };
 
@@ -177,6 +172,43 @@ std::vector<RichLine> broken(std::vector<Chunk> chunks, const ImFont& font, floa
         append(lines.back(), chunk, x);
     }
     return lines;
+}
+
+constexpr float kPadding = 8.0F;
+constexpr float kBetweenTipLines = 3.0F;
+constexpr float kOff = 10.0F;         ///< distance from the subject of the tip
+constexpr float kWidestTip = 640.0F;  ///< at 720
+
+/// The first lines, as many as fit, and their size.
+struct TipLines {
+    std::vector<RichText> lines;
+    float width = 0.0F;
+    float height = 0.0F;
+};
+
+TipLines lines_in(const Canvas& canvas, const std::vector<std::string>& lines, float width, float height) {
+    TipLines laid;
+    for (const std::string& line : lines) {
+        RichText text = layout_rich(canvas.fonts(), *canvas.fonts().small, with_minus_signs(line), width);
+        const float gap = laid.lines.empty() ? 0.0F : canvas.px(kBetweenTipLines);
+        if (text.width() > width || laid.height + gap + text.height > height) { continue; }
+        laid.height += gap + text.height;
+        laid.width = std::max(laid.width, std::ceil(text.width()));
+        laid.lines.push_back(std::move(text));
+    }
+    return laid;
+}
+
+/// Place below the subject of the tip, else above it, else anywhere in `within`.
+Box placed(const TipPlace& place, float width, float height, float off) {
+    Box box{place.beside.x, place.beside.bottom() + off, width, height};
+    if (box.bottom() > place.within.bottom()) {
+        const float above = place.beside.y - off - height;
+        box.y = above >= place.within.y ? above : place.within.bottom() - height;
+    }
+    box.x = std::max(place.within.x, std::min(box.x, place.within.right() - width));
+    box.y = std::max(place.within.y, box.y);
+    return box;
 }
 
 }  // namespace
@@ -247,6 +279,21 @@ void draw_rich(
         }
         y += line.ascent + line.descent;
     }
+}
+
+Box draw_tip(const Canvas& canvas, const TipPlace& place, const std::vector<std::string>& lines) {
+    const float padding = canvas.px(kPadding);
+    const float widest = std::min(canvas.px(kWidestTip), place.within.width - 2.0F * padding);
+    const TipLines laid = lines_in(canvas, lines, widest, place.within.height - 2.0F * padding);
+    if (laid.lines.empty()) { return {}; }
+    const Box box = placed(place, laid.width + 2.0F * padding, laid.height + 2.0F * padding, canvas.px(kOff));
+    sheet(canvas, box, theme::kWhite, theme::kLine);
+    float y = box.y + padding;
+    for (const RichText& text : laid.lines) {
+        draw_rich(canvas, {box.x + padding, y}, canvas.fonts().small, theme::kInk, text);
+        y += text.height + canvas.px(kBetweenTipLines);
+    }
+    return box;
 }
 
 }  // namespace jw::panels

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/panels/parts/canvas.hpp"
 #include "app/panels/parts/formula.hpp"
 #include "lessons/math/text_parts.hpp"
 
@@ -42,5 +44,16 @@ RichText layout_rich_to(
     const render::Fonts& fonts, const ImFont& font, std::string_view text, float width, float height);
 
 void draw_rich(const Canvas& canvas, Point top_left, const ImFont* font, Colour colour, const RichText& text);
+
+/// Place of a tip.
+struct TipPlace {
+    Box beside;  ///< subject of the tip, which the tip does not cover if there is room
+    Box within;  ///< the tip stays in this box
+};
+
+/// Draws lines with formulas on a sheet of their size. Lines that are too wide or too high for the place are
+/// left out.
+/// @return the sheet; width 0 if nothing fits
+Box draw_tip(const Canvas& canvas, const TipPlace& place, const std::vector<std::string>& lines);
 
 }  // namespace jw::panels

@@ -127,6 +127,12 @@ void wrap_into(std::vector<std::string>& lines, const ImFont& font, std::string_
     if (!line.empty()) { lines.push_back(line); }
 }
 
+std::string trimmed(std::string text) {
+    const auto first = text.find_first_not_of(" \n");
+    if (first == std::string::npos) { return {}; }
+    return text.substr(first, text.find_last_not_of(" \n") - first + 1);
+}
+
 }  // namespace
 
 float text_width(const ImFont& font, std::string_view text) { return width_behind(0.0F, font, text); }
@@ -162,6 +168,18 @@ std::string typeset(std::string_view text) {
         }
     }
     return set;
+}
+
+std::string run_on(std::string_view text) {
+    std::string joined;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const bool paragraph = text[k] == '\n' && k + 1 < text.size() && text[k + 1] == '\n';
+        joined += text[k] == '\n' && !paragraph ? ' ' : text[k];
+        if (paragraph) {
+            while (k + 1 < text.size() && text[k + 1] == '\n') { ++k; }
+        }
+    }
+    return trimmed(joined);
 }
 
 std::string with_minus_signs(std::string_view text) {

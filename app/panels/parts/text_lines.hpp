@@ -16,6 +16,9 @@ float text_width(const ImFont& font, std::string_view text);
 /// Hyphens before digits become −, as in "x = -1.2e-07"; those that join words stay, as in "p1-2".
 std::string with_minus_signs(std::string_view text);
 
+/// Joins the lines of a text from a lesson's file; an empty line starts a new paragraph.
+std::string run_on(std::string_view text);
+
 /// Text in correct typography: "s_i" and "d_0" become "sᵢ" and "d₀", " - " becomes " – "; formulas between
 /// dollar signs do not change.
 std::string typeset(std::string_view text);

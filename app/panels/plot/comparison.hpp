@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -12,28 +11,10 @@
 /// curve for each.
 namespace jw::panels {
 
-struct CurveStyle;
-
 struct ComparisonLayout {
     std::vector<Box> rows;  ///< of the table, for the mouse
     PlotLayout plot;        ///< without panes if there is no room for it
 };
-
-/// Parts in which comparisons differ.
-struct ComparisonParts {
-    std::size_t rows = 0;
-    std::function<void(const Box& line)> draw_names;  ///< of the columns
-    /// @param style of the row's curve, also while another one is hovered
-    std::function<void(const Box& line, std::size_t row, const CurveStyle& style)> draw_row;
-    std::string_view summary;
-    std::string_view caption;  ///< of the plot
-};
-
-/// Draws a comparison below a heading, which the caller has drawn.
-/// @param state  of the plot; the hovered method is highlighted in table and plot
-ComparisonLayout draw_comparison(
-    const Canvas& canvas, const Box& box, const SeriesSet& curves, const ComparisonParts& parts,
-    const PlotState& state);
 
 /// Comparison of Newton's methods, with one plot of ‖Φ‖ over the iterations of all of them.
 ComparisonLayout newton_comparison_panel(

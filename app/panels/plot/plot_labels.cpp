@@ -200,16 +200,16 @@ float name_column_width(
 std::vector<float> spread_lines(std::vector<float> wished, float height, float top, float bottom) {
     // after subtraction of the line heights, the tops only have to ascend. The nearest ascending sequence is
     // found by averaging neighbours that are in the wrong order
-    struct Block {
+    struct Neighbours {
         double sum = 0.0;
         int count = 0;
         double mean() const { return sum / count; }
     };
-    std::vector<Block> blocks;
+    std::vector<Neighbours> blocks;
     for (std::size_t k = 0; k < wished.size(); ++k) {
         blocks.push_back({static_cast<double>(wished[k]) - static_cast<double>(k) * height, 1});
         while (blocks.size() > 1 && blocks.back().mean() < blocks[blocks.size() - 2].mean()) {
-            const Block last = blocks.back();
+            const Neighbours last = blocks.back();
             blocks.pop_back();
             blocks.back().sum += last.sum;
             blocks.back().count += last.count;
@@ -217,7 +217,7 @@ std::vector<float> spread_lines(std::vector<float> wished, float height, float t
     }
     const double highest = static_cast<double>(bottom) - static_cast<double>(wished.size()) * height;
     std::size_t k = 0;
-    for (const Block& block : blocks) {
+    for (const Neighbours& block : blocks) {
         const double base = std::max<double>(top, std::min(block.mean(), highest));
         for (int n = 0; n < block.count; ++n, ++k) {
             wished[k] = static_cast<float>(base + static_cast<double>(k) * height);

@@ -55,9 +55,6 @@ struct CurveStyle {
 };
 CurveStyle style_of(const PlotPane& pane, std::size_t place, const SeriesSet& set, const PlotState& state);
 
-/// The part of a line within a box, by Liang and Barsky; empty if there is none.
-std::optional<std::array<Point, 2>> clipped(Point a, Point b, const Box& box);
-
 void draw_curve(
     const Canvas& canvas, const Box& clip, const std::vector<Point>& points, const CurveStyle& style);
 void draw_curve_mark(const Canvas& canvas, Point at, const CurveStyle& style);

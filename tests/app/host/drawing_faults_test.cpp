@@ -4,7 +4,7 @@
 #include <random>
 #include <sstream>
 
-#include "app/host/guarded_screen.hpp"
+#include "app/host/screen.hpp"
 #include "lessons/files/catalogue.hpp"
 #include "lessons/read/reader.hpp"
 #include "tests/app/host/checks.hpp"

@@ -6,7 +6,7 @@
 #include <imgui_internal.h>
 
 #include "app/exercises/kinds.hpp"
-#include "app/host/tabs/exercise_labels.hpp"
+#include "app/host/tabs/exercise_tab.hpp"
 #include "app/session/output/json.hpp"
 #include "lessons/files/catalogue.hpp"
 #include "lessons/math/text_parts.hpp"

@@ -1,4 +1,3 @@
-#include "app/panels/column/column.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "app/panels/column/sphere_parts.hpp"
 #include "core/equations/assembler.hpp"
 #include "core/poses/rank.hpp"
 #include "tests/app/panels/support.hpp"

@@ -104,8 +104,8 @@ TEST_CASE("the line of a fraction lies between its parts", "[panels][formula]") 
     const Formula formula = layout_formula(row, formula_fonts(surface.fonts()), style);
     REQUIRE(formula.glyphs.size() == 2);
     REQUIRE(formula.rules.size() == 1);
-    CHECK(bottom(formula.glyphs[0]) < formula.rules[0].box.y);
-    CHECK(top(formula.glyphs[1]) > formula.rules[0].box.bottom());
+    CHECK(bottom(formula.glyphs[0]) < formula.rules[0].y);
+    CHECK(top(formula.glyphs[1]) > formula.rules[0].bottom());
     CHECK(formula.ascent >= -top(formula.glyphs[0]));
 }
 
@@ -119,10 +119,10 @@ TEST_CASE("a matrix has its entries in rows and columns, within its brackets", "
     CHECK(bottom(g[0]) < top(g[2]));
     REQUIRE(formula.rules.size() == 6);  // three lines a bracket
     for (const FormulaGlyph& glyph : g) {
-        CHECK(left(glyph) > formula.rules[0].box.right());
-        CHECK(right(glyph) < formula.rules[3].box.x);
-        CHECK(top(glyph) >= formula.rules[0].box.y);
-        CHECK(bottom(glyph) <= formula.rules[0].box.bottom());
+        CHECK(left(glyph) > formula.rules[0].right());
+        CHECK(right(glyph) < formula.rules[3].x);
+        CHECK(top(glyph) >= formula.rules[0].y);
+        CHECK(bottom(glyph) <= formula.rules[0].bottom());
     }
 }
 

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "app/panels/column/column.hpp"
+#include "app/panels/column/panels.hpp"
 #include "app/panels/frame/annotations.hpp"
-#include "app/panels/frame/caption.hpp"
 #include "tests/app/panels/support.hpp"
 #include "tests/app/panels/views.hpp"
 

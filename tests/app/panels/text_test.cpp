@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/panels/frame/caption.hpp"
+#include "app/panels/frame/frame.hpp"
 #include "tests/app/panels/support.hpp"
 
 namespace jw::panels::test {
