@@ -1,11 +1,7 @@
-#include <CLI/CLI.hpp>
-
 #include <optional>
 
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/options/size_option.hpp"
-#include "app/commands/program/commands.hpp"
-#include "app/commands/program/outputs.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/export/moving_scene.hpp"
 #include "app/host/frames/frame_painter.hpp"
 #include "app/session/output/export.hpp"
@@ -116,27 +112,26 @@ Exit export_command(const ExportOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_export(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("export", "write a lesson for papers, slides and other programs");
-    const auto options = std::make_shared<ExportOptions>();
-    add_lesson_options(*command, options->file, options->experiments);
-    add_value(*command, "--step", options->step, "N", "step of the lesson; default: all joints assembled")
+void add_export(const CommandLine& line) {
+    auto [command, options] = add_command<ExportOptions>(
+        line, "export", "write a lesson for papers, slides and other programs", export_command,
+        "Example: jointwise export lessons/catalogue/loops/four-bar.toml --gltf four-bar.glb");
+    add_lesson_options(command, options.file, options.experiments);
+    add_value(command, "--step", options.step, "N", "step of the lesson; default: all joints assembled")
         ->check(&fault_of_step);
     add_value(
-        *command, "--latex", options->latex, "FILE",
+        command, "--latex", options.latex, "FILE",
         "equations and Jacobian of the step in LaTeX (amsmath); - for standard output");
-    add_value(*command, "--csv", options->csv, "FILE", "the Jacobian as a table; - for standard output");
+    add_value(command, "--csv", options.csv, "FILE", "the Jacobian as a table; - for standard output");
     add_value(
-        *command, "--svg", options->svg, "FILE",
+        command, "--svg", options.svg, "FILE",
         "picture of the step as vector graphics; its 3D part is pixels");
-    add_value(*command, "--pdf", options->pdf, "FILE", "the same as PDF; text stays text");
-    add_value(*command, "--size", options->size, "WxH", "size of --svg and --pdf in pixels")
+    add_value(command, "--pdf", options.pdf, "FILE", "the same as PDF; text stays text");
+    add_value(command, "--size", options.size, "WxH", "size of --svg and --pdf in pixels")
         ->capture_default_str();
     add_value(
-        *command, "--gltf", options->gltf, "FILE",
+        command, "--gltf", options.gltf, "FILE",
         "the mechanism with its motion as a scene, binary glTF 2.0 (.glb)");
-    command->footer("Example: jointwise export lessons/catalogue/loops/four-bar.toml --gltf four-bar.glb");
-    sets_run(*command, run, streams, options, export_command);
 }
 
 }  // namespace jw

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "app/commands/options/course_option.hpp"
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/exercises/grading/grade_reports.hpp"
 #include "app/exercises/grading/workers.hpp"
 #include "app/exercises/random.hpp"
@@ -105,12 +105,7 @@ public:
     explicit KeptGrades(const GradeOptions& options)
         : folder_(options.out.empty() ? fs::path() : fs::path(options.out) / "results"),
           again_(options.again) {
-        std::error_code error;
-        if (folder_.empty()) { return; }
-        fs::create_directories(folder_, error);
-        if (error) {
-            throw bad_input("cannot make the folder '" + folder_.string() + "': " + error.message());
-        }
+        if (!folder_.empty()) { make_folder(folder_); }
     }
 
     bool find(const fs::path& submission, const std::string& digest, Grade& grade) const {
@@ -271,8 +266,7 @@ Exit grade(const GradeOptions& options, const Streams& streams) {
         throw bad_input(
             "--format gradescope is for one submission; there are " + std::to_string(submissions.size()));
     }
-    const ReadyCourse course = ready_course(key.secret, set.exercises);
-    if (!course.problem.empty()) { throw bad_input("no variants can be drawn:\n" + course.problem); }
+    const ReadyCourse course = ready_or_refused(key, set);
     const std::vector<Grade> grades = grade_all(course, submissions, options, streams);
     warn_of_twins(grades, streams);
     write_grades(grades, options.format, streams);
@@ -288,25 +282,24 @@ Exit grade(const GradeOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_grade(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("grade", "grade submissions of students");
-    auto options = std::make_shared<GradeOptions>();
-    add_value(*command, "FOLDER", options->folders, "", "submissions, or folders of submissions")->required();
-    add_value(*command, "--key", options->key, "FILE", "key file of the course, as for 'sheet'")->required();
+void add_grade(const CommandLine& line) {
+    auto [command, options] = add_command<GradeOptions>(
+        line, "grade", "grade submissions of students", grade,
+        "Example: jointwise grade submissions --key key.toml --out grades");
+    add_value(command, "FOLDER", options.folders, "", "submissions, or folders of submissions")->required();
+    add_value(command, "--key", options.key, "FILE", "key file of the course, as for 'sheet'")->required();
     add_value(
-        *command, "--exercises", options->exercises, "FILE",
+        command, "--exercises", options.exercises, "FILE",
         "files of exercises; default: those named in the key");
     add_value(
-        *command, "--out", options->out, "FOLDER",
-        "folder for results, a report of the class and a table; unchanged submissions with results in it "
-        "are not graded again");
+        command, "--out", options.out, "FOLDER",
+        "folder for results, a report of the class and a table; unchanged submissions with results in it are "
+        "not graded again");
     add_value(
-        *command, "--jobs", options->jobs, "N", "submissions graded in parallel; default: one per processor")
+        command, "--jobs", options.jobs, "N", "submissions graded in parallel; default: one per processor")
         ->check(CLI::Range(1, 256));
-    command->add_flag("--again", options->again, "grade everything again");
-    add_format_option(*command, options->format, {"text", "json", "junit", "gradescope", "csv"});
-    command->footer("Example: jointwise grade submissions --key key.toml --out grades");
-    sets_run(*command, run, streams, options, grade);
+    command.add_flag("--again", options.again, "grade everything again");
+    add_format_option(command, options.format, {"text", "json", "junit", "gradescope", "csv"});
 }
 
 }  // namespace jw

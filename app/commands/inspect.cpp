@@ -3,10 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
-#include "app/commands/program/outputs.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/output/describe.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/labels.hpp"
@@ -74,34 +72,31 @@ Exit inspect(const InspectOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_inspect(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand(
-        "inspect", "show every number of the equations at one moment; default: the assembled pose");
-    auto options = std::make_shared<InspectOptions>();
-    add_lesson_options(*command, options->file, options->experiments);
+void add_inspect(const CommandLine& line) {
+    auto [command, options] = add_command<InspectOptions>(
+        line, "inspect", "show every number of the equations at one moment; default: the assembled pose",
+        inspect,
+        "Example: jointwise inspect lessons/catalogue/loops/bennett.toml --coordinates omega-local --format "
+        "json");
+    add_lesson_options(command, options.file, options.experiments);
     auto* step =
-        add_value(
-            *command, "--step", options->step, "N", "step of the lesson, as counted by 'jointwise step'")
+        add_value(command, "--step", options.step, "N", "step of the lesson, as counted by 'jointwise step'")
             ->check(&fault_of_step);
-    auto* time = add_value(*command, "--time", options->time, "T", "time of the motion [s]");
+    auto* time = add_value(command, "--time", options.time, "T", "time of the motion [s]");
     auto* given =
-        command->add_flag("--as-given", options->as_given, "use the state in the file, without assembly");
+        command.add_flag("--as-given", options.as_given, "use the state in the file, without assembly");
     step->excludes(time)->excludes(given);
     time->excludes(given);
-    command->add_flag(
-        "--spectrum", options->spectrum,
+    command.add_flag(
+        "--spectrum", options.spectrum,
         "compute singular values and free motions also for more than 300 columns; this may take minutes, "
         "Ctrl-C stops it");
     add_value(
-        *command, "--coordinates", options->coordinates, "CHOICE",
+        command, "--coordinates", options.coordinates, "CHOICE",
         "rp, rp-modified, omega-local or omega-global; default: the lesson's")
         ->check(CLI::IsMember(words_of(kChoices)));
-    add_format_option(*command, options->format, {"text", "json"});
-    add_value(*command, "--proof", options->proof, "FILE", "file for a proof of the rank (docs/proofs.md)");
-    command->footer(
-        "Example: jointwise inspect lessons/catalogue/loops/bennett.toml --coordinates omega-local --format "
-        "json");
-    sets_run(*command, run, streams, options, inspect);
+    add_format_option(command, options.format, {"text", "json"});
+    add_value(command, "--proof", options.proof, "FILE", "file for a proof of the rank (docs/proofs.md)");
 }
 
 }  // namespace jw

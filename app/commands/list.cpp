@@ -1,9 +1,7 @@
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/shown_lesson.hpp"
 #include "app/session/wording/text_table.hpp"
@@ -155,15 +153,14 @@ Exit list(const ListOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_list(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("list", "show the lessons, by chapter, or search them");
-    auto options = std::make_shared<ListOptions>();
+void add_list(const CommandLine& line) {
+    auto [command, options] = add_command<ListOptions>(
+        line, "list", "show the lessons, by chapter, or search them", list,
+        "Example: jointwise list slide 5");
     add_value(
-        *command, "FOLDER", options->arguments, "[WORDS...]",
+        command, "FOLDER", options.arguments, "[WORDS...]",
         "folder to search, and words that lessons must have; 'slide 5' is looked for in their source");
-    add_format_option(*command, options->format, {"text", "markdown", "json"});
-    command->footer("Example: jointwise list slide 5");
-    sets_run(*command, run, streams, options, list);
+    add_format_option(command, options.format, {"text", "markdown", "json"});
 }
 
 }  // namespace jw

@@ -1,11 +1,9 @@
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
 
 #include "app/commands/new_lesson.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/files/course.hpp"
 #include "lessons/read/reader.hpp"
@@ -45,15 +43,20 @@ fs::path file_of(const std::string& name) {
     return file;
 }
 
-Exit write_new(const std::string& name, bool exercise, const Streams& streams) {
-    const fs::path file = file_of(name);
+struct NewOptions {
+    std::string name;
+    bool exercise = false;
+};
+
+Exit write_new(const NewOptions& options, const Streams& streams) {
+    const fs::path file = file_of(options.name);
     std::string text = kNewLesson;
-    if (exercise) { text += kNewExercise; }
+    if (options.exercise) { text += kNewExercise; }
     text.replace(text.find(kTitleOfTemplate), kTitleOfTemplate.size(), writing::string_text(title_of(file)));
     // the only possible mistake is a name that a text file cannot hold
     if (const ReadResult read = read_lesson(text, file.string()); !read.lesson) {
         throw bad_input(
-            in_quotes(name) + " cannot be a title: " + read.diagnostics.front().message +
+            in_quotes(options.name) + " cannot be a title: " + read.diagnostics.front().message +
             "; expected a name of letters in UTF-8");
     }
     std::string error;
@@ -65,17 +68,12 @@ Exit write_new(const std::string& name, bool exercise, const Streams& streams) {
 
 }  // namespace
 
-void add_new(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("new", "write a small lesson to begin with");
-    auto name = std::make_shared<std::string>();
-    add_value(*command, "NAME", *name, "", "name of the lesson; the file is NAME.toml")->required();
-    auto exercise = std::make_shared<bool>(false);
-    command->add_flag(
-        "--exercise", *exercise, "add an exercise whose numbers differ from student to student");
-    command->footer("Example: jointwise new my-lesson");
-    command->callback([name, exercise, &streams, &run] {
-        run = [name, exercise, &streams] { return write_new(*name, *exercise, streams); };
-    });
+void add_new(const CommandLine& line) {
+    auto [command, options] = add_command<NewOptions>(
+        line, "new", "write a small lesson to begin with", write_new, "Example: jointwise new my-lesson");
+    add_value(command, "NAME", options.name, "", "name of the lesson; the file is NAME.toml")->required();
+    command.add_flag(
+        "--exercise", options.exercise, "add an exercise whose numbers differ from student to student");
 }
 
 }  // namespace jw

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/benchmark/newton_runs.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/lesson/enum_words.hpp"
@@ -23,11 +22,6 @@ struct NewtonChoices {
     bool without_normalisation = false;
     std::string format;
 };
-
-template <class Names>
-std::size_t place_in(const Names& names, const std::string& name) {
-    return static_cast<std::size_t>(std::ranges::find(names, name) - std::begin(names));
-}
 
 NewtonPlan plan_of(const NewtonChoices& options, const Lesson& lesson) {
     NewtonPlan plan;
@@ -50,12 +44,7 @@ int start_of(const Story& story, const std::string& at) {
     }
     if (names.empty()) { throw bad_input("the lesson has no joint: nothing is solved"); }
     if (at.empty()) { return start_of_telling_closing(story); }
-    const std::size_t place = place_in(names, at);
-    if (place == names.size()) {
-        throw bad_input(
-            "--at " + in_quotes(at) + ": no such joint or driver; expected one of " + comma_list(names),
-            did_you_mean(at, names));
-    }
+    const std::size_t place = place_in(names, at, "--at " + in_quotes(at) + ": no such joint or driver");
     const int start = start_of_closing(story, lesson.order[place]);
     if (start < 0) { throw not_reached(lesson, *story.failure()); }
     return start;
@@ -80,30 +69,28 @@ Exit newton(const NewtonChoices& options, const Streams& streams) {
 
 }  // namespace
 
-void add_newton(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command =
-        app.add_subcommand("newton", "compare variants of Newton's method, or coordinates, from one start");
-    auto options = std::make_shared<NewtonChoices>();
-    add_lesson_options(*command, options->file, options->experiments);
+void add_newton(const CommandLine& line) {
+    auto [command, options] = add_command<NewtonChoices>(
+        line, "newton", "compare variants of Newton's method, or coordinates, from one start", newton,
+        "Example: jointwise newton lessons/catalogue/hard/anti-parallel.toml --compare methods");
+    add_lesson_options(command, options.file, options.experiments);
     add_value(
-        *command, "--at", options->at, "NAME",
+        command, "--at", options.at, "NAME",
         "joint or driver to close; default: one that meets a wrong branch, else the one with most "
         "iterations");
-    add_value(*command, "--compare", options->compare, "WHAT", "what to compare: methods or coordinates")
+    add_value(command, "--compare", options.compare, "WHAT", "what to compare: methods or coordinates")
         ->check(CLI::IsMember({"methods", "coordinates"}))
         ->capture_default_str();
     add_value(
-        *command, "--coordinates", options->coordinates, "CHOICE",
+        command, "--coordinates", options.coordinates, "CHOICE",
         "coordinates of the methods; default: the lesson's")
         ->check(CLI::IsMember(words_of(kChoices)));
-    add_value(*command, "--method", options->method, "METHOD", "method used to compare coordinates")
+    add_value(command, "--method", options.method, "METHOD", "method used to compare coordinates")
         ->check(CLI::IsMember(words_of(kNewtonMethods)))
         ->capture_default_str();
-    command->add_flag(
-        "--without-normalisation", options->without_normalisation, "leave out the rows p'p - 1 in (r, p)");
-    add_format_option(*command, options->format, {"text", "json", "csv"});
-    command->footer("Example: jointwise newton lessons/catalogue/hard/anti-parallel.toml --compare methods");
-    sets_run(*command, run, streams, options, newton);
+    command.add_flag(
+        "--without-normalisation", options.without_normalisation, "leave out the rows p'p - 1 in (r, p)");
+    add_format_option(command, options.format, {"text", "json", "csv"});
 }
 
 }  // namespace jw

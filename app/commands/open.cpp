@@ -5,10 +5,8 @@
 #include <filesystem>
 #include <iterator>
 
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/options/size_option.hpp"
-#include "app/commands/program/commands.hpp"
-#include "app/commands/program/outputs.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/exercises/grading/grade.hpp"
 #include "app/exercises/practice/lesson_exercises.hpp"
 #include "app/host/lesson/destination.hpp"
@@ -161,38 +159,34 @@ Exit open(const OpenOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_open(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("open", "open the window, with a lesson or the list of lessons");
-    auto options = std::make_shared<OpenOptions>();
+void add_open(const CommandLine& line) {
+    auto [command, options] = add_command<OpenOptions>(
+        line, "open", "open the window, with a lesson or the list of lessons", open,
+        "Example: jointwise open lessons/catalogue/loops/four-bar.toml --at B\n"
+        "         jointwise open '#four-bar/D?try=form+D+drop+x'");
     add_value(
-        *command, "FILE", options->file, "",
+        command, "FILE", options.file, "",
         "lesson file, or address of a page; without it, the list of lessons is shown");
-    add_value(
-        *command, "--at", options->at, "STEP", "where to begin: a step, a joint or driver, or t=SECONDS");
-    add_try_option(*command, options->experiments);
-    add_value(*command, "--size", options->size, "WxH", "size of the window")->capture_default_str();
-    command->add_flag("--dark", options->dark, "light text on a dark background");
-    add_value(*command, "--text", options->text, "X", "size of text, 0.75 to 1.5")
+    add_value(command, "--at", options.at, "STEP", "where to begin: a step, a joint or driver, or t=SECONDS");
+    add_try_option(command, options.experiments);
+    add_value(command, "--size", options.size, "WxH", "size of the window")->capture_default_str();
+    command.add_flag("--dark", options.dark, "light text on a dark background");
+    add_value(command, "--text", options.text, "X", "size of text, 0.75 to 1.5")
         ->check(CLI::Range(0.75, 1.5))
         ->capture_default_str();
     add_value(
-        *command, "--density", options->density, "X",
+        command, "--density", options.density, "X",
         "pixels of the screen per pixel of a web page: 3 on most phones; 0: not known")
         ->check(CLI::Range(0.0, 8.0))
         ->capture_default_str();
     add_value(
-        *command, "--tab", options->tab, "TAB",
+        command, "--tab", options.tab, "TAB",
         "tab beside the picture: step, try, plots, newton, price or exercises")
         ->check(CLI::IsMember(words_of(host::kTabs)))
         ->capture_default_str();
-    add_value(*command, "--exercise", options->exercise, "NAME", "exercise of the lesson to begin with");
+    add_value(command, "--exercise", options.exercise, "NAME", "exercise of the lesson to begin with");
     add_value(
-        *command, "--picture", options->picture, "FILE",
-        "draw what the window shows into a PNG file instead");
-    command->footer(
-        "Example: jointwise open lessons/catalogue/loops/four-bar.toml --at B\n"
-        "         jointwise open '#four-bar/D?try=form+D+drop+x'");
-    sets_run(*command, run, streams, options, open);
+        command, "--picture", options.picture, "FILE", "draw what the window shows into a PNG file instead");
 }
 
 }  // namespace jw

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/options/quantity_option.hpp"
-#include "app/commands/options/size_option.hpp"
+#include "app/commands/options/shared_options.hpp"
 #include "app/commands/plot_picture.hpp"
-#include "app/commands/program/commands.hpp"
-#include "app/commands/program/outputs.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/view/inspection.hpp"
 #include "app/session/view/series.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
@@ -35,16 +32,10 @@ constexpr PixelSize kLargestPlot{3840, 3840};
 
 /// The joint whose pairs are plotted: the named joint, or else the joint that the story is about.
 int joint_of(const PlotOptions& options, const Story& story) {
-    std::vector<std::string> names;
-    for (const Joint& joint : story.lesson().mechanism.joints) { names.push_back(joint.name); }
     if (options.joint.empty()) { return std::max(0, story.featured_joint()); }
-    const auto found = std::ranges::find(names, options.joint);
-    if (found == names.end()) {
-        throw bad_input(
-            "--joint " + in_quotes(options.joint) + ": no such joint; expected one of " + comma_list(names),
-            did_you_mean(options.joint, names));
-    }
-    return static_cast<int>(found - names.begin());
+    return static_cast<int>(place_in(
+        names_of(story.lesson().mechanism.joints), options.joint,
+        "--joint " + in_quotes(options.joint) + ": no such joint"));
 }
 
 enum class Plotted { quantities, residuals, singular_values, conditions };
@@ -67,17 +58,10 @@ SeriesSet set_of(const PlotOptions& options, const Story& story) {
 }
 
 std::vector<int> chosen(const SeriesSet& set, const std::vector<std::string>& curves) {
-    std::vector<std::string> names;
-    for (const Series& series : set.series) { names.push_back(series.name); }
     std::vector<int> shown;
     for (const std::string& curve : curves) {
-        const auto found = std::ranges::find(names, curve);
-        if (found == names.end()) {
-            throw bad_input(
-                "no curve " + in_quotes(curve) + "; expected one of " + comma_list(names),
-                did_you_mean(curve, names));
-        }
-        shown.push_back(static_cast<int>(found - names.begin()));
+        shown.push_back(
+            static_cast<int>(place_in(names_of(set.series), curve, "no curve " + in_quotes(curve))));
     }
     std::ranges::sort(shown);
     return shown;
@@ -143,28 +127,24 @@ Exit plot(const PlotOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_plot(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command =
-        app.add_subcommand("plot", "plot curves over time or iterations, as a picture or a table");
-    auto options = std::make_shared<PlotOptions>();
-    add_lesson_options(*command, options->file, options->experiments);
-    add_value(*command, "--of", options->of, "WHAT", "quantities, residuals, singular-values or conditions")
+void add_plot(const CommandLine& line) {
+    auto [command, options] = add_command<PlotOptions>(
+        line, "plot", "plot curves over time or iterations, as a picture or a table", plot,
+        "Example: jointwise plot lessons/catalogue/loops/four-bar.toml --of singular-values --out sigma.png");
+    add_lesson_options(command, options.file, options.experiments);
+    add_value(command, "--of", options.of, "WHAT", "quantities, residuals, singular-values or conditions")
         ->check(CLI::IsMember(words_of(kPlotted)))
         ->capture_default_str();
     add_value(
-        *command, "--joint", options->joint, "NAME",
+        command, "--joint", options.joint, "NAME",
         "joint for --of conditions; default: the one that the lesson is about");
     add_value(
-        *command, "--curves", options->curves, "A,B",
+        command, "--curves", options.curves, "A,B",
         "names of curves, separated by commas; default: the most important ones")
         ->delimiter(',')
         ->allow_extra_args(false);
-    add_value(*command, "--out", options->out, "FILE", "FILE.png or FILE.csv")->required();
-    add_value(*command, "--size", options->size, "WxH", "size of the picture in pixels")
-        ->capture_default_str();
-    command->footer(
-        "Example: jointwise plot lessons/catalogue/loops/four-bar.toml --of singular-values --out sigma.png");
-    sets_run(*command, run, streams, options, plot);
+    add_value(command, "--out", options.out, "FILE", "FILE.png or FILE.csv")->required();
+    add_value(command, "--size", options.size, "WxH", "size of the picture in pixels")->capture_default_str();
 }
 
 }  // namespace jw

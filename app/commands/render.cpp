@@ -1,13 +1,11 @@
-#include <CLI/CLI.hpp>
-
 #include <charconv>
 #include <future>
 #include <optional>
 #include <thread>
 
-#include "app/commands/options/experiment_option.hpp"
 #include "app/commands/options/render_options.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/film/draw_pictures.hpp"
 #include "app/film/film_steps.hpp"
 #include "app/host/frames/environment.hpp"
@@ -113,10 +111,7 @@ private:
         host::FrameDraft draft(draft_folder());
         if (!draw(draft)) { return; }
         ProgressBar bar(streams_, "writing");
-        film::write_film(
-            {options_.out, *options_.format(), options_.fps,
-             options_.loop ? render::Repeat::without_end : render::Repeat::once, !options_.transparent},
-            story_, film_, draft, [&](double share) { bar.show(share); });
+        film::write_film(options_.settings(), story_, film_, draft, [&](double share) { bar.show(share); });
         draft.clear();
         streams_.err << seconds_text() << " s of film, " << pictures_.size()
                      << (pictures_.size() == 1 ? " picture, in " : " pictures, in ") << options_.out << '\n';
@@ -271,8 +266,7 @@ FrameRange motion_of(const Story& story) {
     }
     if (motion.first > motion.last && story.failure() == nullptr) {
         throw bad_input(
-            "--motion-only, but nothing moves in this lesson; expected "
-            "a lesson with [motion] or [dynamics]");
+            "--motion-only, but nothing moves in this lesson; expected a lesson with [motion] or [dynamics]");
     }
     return motion;
 }
@@ -310,14 +304,12 @@ Exit render_command(const RenderOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_render(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("render", "draw a lesson as a film, or as PNG pictures");
-    auto options = std::make_shared<RenderOptions>();
-    add_render_options(*command, *options);
-    command->footer(
+void add_render(const CommandLine& line) {
+    auto [command, options] = add_command<RenderOptions>(
+        line, "render", "draw a lesson as a film, or as PNG pictures", render_command,
         "Example: jointwise render lessons/catalogue/loops/four-bar.toml --out four-bar.mp4 --size "
         "1920x1080");
-    sets_run(*command, run, streams, options, render_command);
+    add_render_options(command, options);
 }
 
 }  // namespace jw

@@ -1,11 +1,8 @@
-#include <CLI/CLI.hpp>
-
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/session/rest/rest.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/output/describe.hpp"
 #include "app/session/output/json.hpp"
-#include "app/session/rest/rest.hpp"
 
 namespace jw {
 
@@ -40,20 +37,19 @@ Exit rest_command(const RestOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_rest(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand(
-        "rest", "find the equilibrium under masses and forces, its reactions, and small motions about it");
-    auto options = std::make_shared<RestOptions>();
-    add_lesson_options(*command, options->file, options->experiments, "lesson file with [dynamics]");
+void add_rest(const CommandLine& line) {
+    auto [command, options] = add_command<RestOptions>(
+        line, "rest",
+        "find the equilibrium under masses and forces, its reactions, and small motions about it",
+        rest_command, "Example: jointwise rest lessons/catalogue/dynamics/simple-pendulum.toml");
+    add_lesson_options(command, options.file, options.experiments, "lesson file with [dynamics]");
     add_value(
-        *command, "--hold", options->held, "JOINT",
-        "joint whose angle or displacement stays as assembled; the torque or force that holds it is "
-        "written as its effort");
-    command->add_flag(
-        "--nearest", options->nearest, "find the equilibrium nearest to the start, even an unstable one");
-    add_format_option(*command, options->format, {"text", "json"});
-    command->footer("Example: jointwise rest lessons/catalogue/dynamics/simple-pendulum.toml");
-    sets_run(*command, run, streams, options, rest_command);
+        command, "--hold", options.held, "JOINT",
+        "joint whose angle or displacement stays as assembled; the torque or force that holds it is written "
+        "as its effort");
+    command.add_flag(
+        "--nearest", options.nearest, "find the equilibrium nearest to the start, even an unstable one");
+    add_format_option(command, options.format, {"text", "json"});
 }
 
 }  // namespace jw

@@ -4,8 +4,8 @@
 
 #include "app/commands/exercise_figure.hpp"
 #include "app/commands/options/course_option.hpp"
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/exercises/grading/sheet.hpp"
 #include "app/exercises/starters.hpp"
 #include "render/files/atomic_file.hpp"
@@ -46,12 +46,6 @@ std::vector<std::string> students_of(const SheetOptions& options) {
 }
 
 void write_text(const fs::path& path, const std::string& text) { render::write_file_atomically(path, text); }
-
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) { throw bad_input("cannot make the folder '" + folder.string() + "': " + error.message()); }
-}
 
 /// For each exercise that asks for a program: a starter in every language, and the input.
 void write_starters(const Sheet& sheet, const fs::path& folder) {
@@ -107,8 +101,7 @@ Exit make_sheets(const SheetOptions& options, const Streams& streams) {
     const std::vector<std::string> students = students_of(options);
     const ExerciseSet set = exercises_of(options.files);
     const CourseKey key = key_of(options.key);
-    const ReadyCourse course = ready_course(key.secret, set.exercises);
-    if (!course.problem.empty()) { throw bad_input("no variants can be drawn:\n" + course.problem); }
+    const ReadyCourse course = ready_or_refused(key, set);
     std::unique_ptr<ExerciseFigures> figures;
     FigureOf figure;
     if (!options.without_figures) {
@@ -139,29 +132,26 @@ Exit make_sheets(const SheetOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_sheet(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command =
-        app.add_subcommand("sheet", "write sheets of exercises, with different numbers for each student");
-    auto options = std::make_shared<SheetOptions>();
-    add_value(*command, "FILE", options->files, "", "files of exercises, or lessons with [[exercise]]")
+void add_sheet(const CommandLine& line) {
+    auto [command, options] = add_command<SheetOptions>(
+        line, "sheet", "write sheets of exercises, with different numbers for each student", make_sheets,
+        "Example: jointwise sheet lessons/exercises/vectors.toml --student s1 --key key.toml --out sheets");
+    add_value(command, "FILE", options.files, "", "files of exercises, or lessons with [[exercise]]")
         ->required();
-    add_value(*command, "--student", options->student, "ID", "a sheet for one student");
+    add_value(command, "--student", options.student, "ID", "a sheet for one student");
     add_value(
-        *command, "--class", options->roster, "FILE",
+        command, "--class", options.roster, "FILE",
         "a sheet for each student in the first column of a list (CSV)");
     add_value(
-        *command, "--variants", options->variants, "N", "N sheets without a student, for example for a quiz")
+        command, "--variants", options.variants, "N", "N sheets without a student, for example for a quiz")
         ->check(CLI::Range(1, 1000));
-    add_value(*command, "--key", options->key, "FILE", "key file of the course; it contains a secret")
+    add_value(command, "--key", options.key, "FILE", "key file of the course; it contains a secret")
         ->required();
-    add_value(*command, "--out", options->out, "FOLDER", "folder that gets a folder for each student")
+    add_value(command, "--out", options.out, "FOLDER", "folder that gets a folder for each student")
         ->required();
-    command->add_flag("--solution", options->solution, "write the solutions, too");
-    command->add_flag("--no-figures", options->without_figures, "do not draw figures");
-    add_format_option(*command, options->format, {"files", "moodle"});
-    command->footer(
-        "Example: jointwise sheet lessons/exercises/vectors.toml --student s1 --key key.toml --out sheets");
-    sets_run(*command, run, streams, options, make_sheets);
+    command.add_flag("--solution", options.solution, "write the solutions, too");
+    command.add_flag("--no-figures", options.without_figures, "do not draw figures");
+    add_format_option(command, options.format, {"files", "moodle"});
 }
 
 }  // namespace jw

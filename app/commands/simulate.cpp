@@ -1,13 +1,9 @@
-#include <CLI/CLI.hpp>
-
 #include <cmath>
 #include <optional>
 
 #include "app/commands/options/dynamics_options.hpp"
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/options/quantity_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/output/export.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/story/dynamics_run.hpp"
@@ -114,26 +110,23 @@ Exit simulate_command(const SimulateOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command =
-        app.add_subcommand("simulate", "compute the motion under masses and forces, as a table");
-    auto options = std::make_shared<SimulateOptions>();
-    add_lesson_options(*command, options->file, options->experiments, "lesson file with [dynamics]");
-    add_value(*command, "--duration", options->duration, "T", "time to simulate [s]; default: the lesson's");
-    add_value(
-        *command, "--samples", options->samples, "N", "number of equal intervals in the table; default: 100");
-    add_dynamics_options(*command, options->dynamics);
-    add_value(
-        *command, "--most-steps", options->most_steps, "N",
-        "steps after which an adaptive method gives up; default: one million");
-    command->add_flag("--reactions", options->reactions, "also write forces and torques of all joints");
-    add_format_option(*command, options->format, {"csv", "json"});
-    add_quantities_option(*command, options->quantities);
-    add_old_names_flag(*command, options->old_names);
-    command->footer(
+void add_simulate(const CommandLine& line) {
+    auto [command, options] = add_command<SimulateOptions>(
+        line, "simulate", "compute the motion under masses and forces, as a table", simulate_command,
         "Example: jointwise simulate lessons/catalogue/dynamics/andrews.toml --method explicit-8 --tolerance "
         "1e-9");
-    sets_run(*command, run, streams, options, simulate_command);
+    add_lesson_options(command, options.file, options.experiments, "lesson file with [dynamics]");
+    add_value(command, "--duration", options.duration, "T", "time to simulate [s]; default: the lesson's");
+    add_value(
+        command, "--samples", options.samples, "N", "number of equal intervals in the table; default: 100");
+    add_dynamics_options(command, options.dynamics);
+    add_value(
+        command, "--most-steps", options.most_steps, "N",
+        "steps after which an adaptive method gives up; default: one million");
+    command.add_flag("--reactions", options.reactions, "also write forces and torques of all joints");
+    add_format_option(command, options.format, {"csv", "json"});
+    add_quantities_option(command, options.quantities);
+    add_old_names_flag(command, options.old_names);
 }
 
 }  // namespace jw

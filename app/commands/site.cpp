@@ -1,14 +1,12 @@
 #include "app/site/site.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
-#include "app/commands/program/commands.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/site/live_page.hpp"
 #include "app/site/page_frame.hpp"
@@ -105,7 +103,8 @@ void check_setup(const SiteSetup& setup) {
     }
 }
 
-Exit make_site(SiteSetup setup, const Streams& streams) {
+Exit make_site(const SiteSetup& given, const Streams& streams) {
+    SiteSetup setup = given;
     if (setup.page.empty()) { setup.page = (data_folder() / "page").string(); }
     check_setup(setup);
     tell_left_out(setup.folder, streams);
@@ -118,8 +117,8 @@ Exit make_site(SiteSetup setup, const Streams& streams) {
     if (!read.failed_claims.empty()) {
         throw CommandError(
             Exit::check_failed, read.failed_claims +
-                                    "jointwise: error: what these lessons claim does not hold; "
-                                    "'jointwise check' tells more, and no site is written");
+                                    "jointwise: error: what these lessons claim does not hold; 'jointwise "
+                                    "check' tells more, and no site is written");
     }
     for (const std::string& note : read.notes) { streams.err << "jointwise: note: " << note << '\n'; }
     const bool is_blank = site::words_plain(setup.title).empty();
@@ -142,29 +141,25 @@ Exit make_site(SiteSetup setup, const Streams& streams) {
 
 }  // namespace
 
-void add_site(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command =
-        app.add_subcommand("site", "write the lessons of a folder as a web site that contains the program");
-    auto setup = std::make_shared<SiteSetup>();
-    add_value(*command, "FOLDER", setup->folder, "", "folder of lessons, with course.toml for their order")
-        ->required();
-    add_value(*command, "--out", setup->out, "DIR", "folder of the site; an earlier site in it is replaced")
-        ->required();
-    add_value(
-        *command, "--exercises", setup->exercises, "FOLDER",
-        "folder of files of exercises (default: 'exercises' beside the lessons, if it exists)");
-    add_value(*command, "--title", setup->title, "TEXT", "title of the course");
-    add_value(
-        *command, "--slides", setup->slides, "FILE",
-        "slides that lessons refer to: a PDF file to copy, or a URL");
-    add_value(
-        *command, "--page", setup->page, "FOLDER",
-        "files of the web version of the program (default: those that were built or installed)");
-    command->footer(
+void add_site(const CommandLine& line) {
+    auto [command, setup] = add_command<SiteSetup>(
+        line, "site", "write the lessons of a folder as a web site that contains the program", make_site,
         "Example: jointwise site lessons/catalogue --out public --title 'Spatial kinematics' --slides "
         "slides.pdf");
-    command->callback(
-        [setup, &streams, &run] { run = [setup, &streams] { return make_site(*setup, streams); }; });
+    add_value(command, "FOLDER", setup.folder, "", "folder of lessons, with course.toml for their order")
+        ->required();
+    add_value(command, "--out", setup.out, "DIR", "folder of the site; an earlier site in it is replaced")
+        ->required();
+    add_value(
+        command, "--exercises", setup.exercises, "FOLDER",
+        "folder of files of exercises (default: 'exercises' beside the lessons, if it exists)");
+    add_value(command, "--title", setup.title, "TEXT", "title of the course");
+    add_value(
+        command, "--slides", setup.slides, "FILE",
+        "slides that lessons refer to: a PDF file to copy, or a URL");
+    add_value(
+        command, "--page", setup.page, "FOLDER",
+        "files of the web version of the program (default: those that were built or installed)");
 }
 
 }  // namespace jw

@@ -4,9 +4,8 @@
 #include <array>
 #include <set>
 
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/options/size_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
 #include "app/snapshot/deleted_lessons.hpp"
@@ -210,8 +209,7 @@ std::size_t bless_deletions(
 Exit bless_command(const SnapshotOptions& options, const Streams& streams) {
     if (options.reason.find_first_not_of(" \t\n") == std::string::npos) {
         throw bad_input(
-            "--reason is empty; expected why the snapshots may change, for those who read "
-            "it later");
+            "--reason is empty; expected why the snapshots may change, for those who read it later");
     }
     const SnapshotRules rules = rules_of(options);
     std::size_t changed = 0;
@@ -237,13 +235,16 @@ Exit bless_command(const SnapshotOptions& options, const Streams& streams) {
     return Exit::done;
 }
 
-using SharedOptions = std::shared_ptr<SnapshotOptions>;
+using Verb = NewCommand<SnapshotOptions>;
 
-CLI::App* add_verb(CLI::App& command, const char* name, const char* about, const SharedOptions& options) {
-    CLI::App* verb = command.add_subcommand(name, about);
-    add_value(*verb, "LESSONS", options->paths, "", "lesson files, and folders with lessons")->required();
+Verb add_verb(
+    const CommandLine& line, const char* name, const char* about,
+    Exit (*what)(const SnapshotOptions&, const Streams&)) {
+    const Verb verb = add_command<SnapshotOptions>(line, name, about, what);
+    auto& [command, options] = verb;
+    add_value(command, "LESSONS", options.paths, "", "lesson files, and folders with lessons")->required();
     add_value(
-        *verb, "--golden", options->golden, "DIR",
+        command, "--golden", options.golden, "DIR",
         "folder of the golden snapshots, with rules.toml if there are rules")
         ->required()
         ->check(CLI::Validator(
@@ -256,47 +257,39 @@ CLI::App* add_verb(CLI::App& command, const char* name, const char* about, const
 
 }  // namespace
 
-void add_snapshot(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("snapshot", "compare lessons with earlier snapshots of them");
+void add_snapshot(const CommandLine& line) {
+    CLI::App* command = line.app.add_subcommand("snapshot", "compare lessons with earlier snapshots of them");
     command->require_subcommand(1);
     command->footer(
         "Example: jointwise snapshot record lessons/ --golden golden/\n"
         "         jointwise snapshot compare lessons/ --golden golden/\n"
         "docs/snapshots.md describes layers, rules and files.");
-    const auto options = std::make_shared<SnapshotOptions>();
-    const auto runs = [&run, options, &streams](
-                          CLI::App* verb, Exit (*what)(const SnapshotOptions&, const Streams&)) {
-        verb->callback([=, &run, &streams] { run = [=, &streams] { return what(*options, streams); }; });
-    };
+    const CommandLine verbs{*command, line.streams, line.run};
 
-    CLI::App* record = add_verb(*command, "record", "take the snapshots that do not exist yet", options);
-    add_value(*record, "--size", options->size, "WxH", "size in pixels")->capture_default_str();
-    add_value(*record, "--moments", options->moments, "N", "number of moments of the motion")
+    const Verb record = add_verb(verbs, "record", "take the snapshots that do not exist yet", record_command);
+    add_value(record.command, "--size", record.options.size, "WxH", "size in pixels")->capture_default_str();
+    add_value(record.command, "--moments", record.options.moments, "N", "number of moments of the motion")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
     add_value(
-        *record, "--only", options->only, "NAME",
+        record.command, "--only", record.options.only, "NAME",
         "names of the steps to record, instead of the default steps");
-    runs(record, record_command);
 
-    CLI::App* compare =
-        add_verb(*command, "compare", "compare with the snapshots; status 1 if something differs", options);
-    add_format_option(*compare, options->format, {"text", "json", "junit"});
-    runs(compare, compare_command);
+    const Verb compare = add_verb(
+        verbs, "compare", "compare with the snapshots; status 1 if something differs", compare_command);
+    add_format_option(compare.command, compare.options.format, {"text", "json", "junit"});
 
-    CLI::App* report = add_verb(
-        *command, "report", "compare, and write a page with pictures, JUnit and JSON; status as for compare",
-        options);
+    const Verb report = add_verb(
+        verbs, "report", "compare, and write a page with pictures, JUnit and JSON; status as for compare",
+        report_command);
     add_value(
-        *report, "--out", options->out, "DIR",
+        report.command, "--out", report.options.out, "DIR",
         "folder for index.html, junit.xml and report.json; created if needed")
         ->required();
-    runs(report, report_command);
 
-    CLI::App* bless = add_verb(*command, "bless", "replace snapshots that differ by new ones", options);
-    add_value(*bless, "--only", options->only, "NAME", "names of snapshots");
-    add_value(*bless, "--reason", options->reason, "TEXT", "reason; it is recorded")->required();
-    runs(bless, bless_command);
+    const Verb bless = add_verb(verbs, "bless", "replace snapshots that differ by new ones", bless_command);
+    add_value(bless.command, "--only", bless.options.only, "NAME", "names of snapshots");
+    add_value(bless.command, "--reason", bless.options.reason, "TEXT", "reason; it is recorded")->required();
 }
 
 }  // namespace jw

@@ -3,11 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/options/quantity_option.hpp"
-#include "app/commands/program/commands.hpp"
-#include "app/commands/program/outputs.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/output/export.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/view/solution.hpp"
@@ -142,25 +139,21 @@ Exit solve_command(const SolveOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_solve(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command =
-        app.add_subcommand("solve", "compute positions, velocities and accelerations over time, as a table");
-    auto options = std::make_shared<SolveOptions>();
-    add_lesson_options(*command, options->file, options->experiments);
-    add_value(*command, "--analysis", options->analysis, "WHAT", "position, velocity or acceleration")
-        ->check(CLI::IsMember(words_of(kAnalyses)));
-    add_value(*command, "--from", options->from, "T", "first time [s]; default: the lesson's");
-    add_value(*command, "--to", options->to, "T", "last time [s]; default: the lesson's");
-    add_value(*command, "--step", options->step, "T", "interval [s]; default: the lesson's");
-    add_format_option(*command, options->format, {"csv", "json"});
-    add_quantities_option(*command, options->quantities);
-    add_old_names_flag(*command, options->old_names);
-    add_value(*command, "--proof", options->proof, "FILE", "file for a proof of each step (docs/proofs.md)");
-    command->footer(
+void add_solve(const CommandLine& line) {
+    auto [command, options] = add_command<SolveOptions>(
+        line, "solve", "compute positions, velocities and accelerations over time, as a table", solve_command,
         "Example: jointwise solve lessons/catalogue/loops/four-bar.toml --analysis acceleration --from 0 "
-        "--to 1 "
-        "--step 0.1");
-    sets_run(*command, run, streams, options, solve_command);
+        "--to 1 --step 0.1");
+    add_lesson_options(command, options.file, options.experiments);
+    add_value(command, "--analysis", options.analysis, "WHAT", "position, velocity or acceleration")
+        ->check(CLI::IsMember(words_of(kAnalyses)));
+    add_value(command, "--from", options.from, "T", "first time [s]; default: the lesson's");
+    add_value(command, "--to", options.to, "T", "last time [s]; default: the lesson's");
+    add_value(command, "--step", options.step, "T", "interval [s]; default: the lesson's");
+    add_format_option(command, options.format, {"csv", "json"});
+    add_quantities_option(command, options.quantities);
+    add_old_names_flag(command, options.old_names);
+    add_value(command, "--proof", options.proof, "FILE", "file for a proof of each step (docs/proofs.md)");
 }
 
 }  // namespace jw

@@ -1,8 +1,5 @@
-#include <CLI/CLI.hpp>
-
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/output/describe.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/story/story_telling.hpp"
@@ -67,14 +64,13 @@ Exit step(const StepOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_step(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("step", "show the steps of a lesson, joint by joint");
-    auto options = std::make_shared<StepOptions>();
-    add_lesson_options(*command, options->file, options->experiments);
-    add_value(*command, "--until", options->until, "N", "last step to show")->check(&fault_of_step);
-    add_format_option(*command, options->format, {"text", "json"});
-    command->footer("Example: jointwise step lessons/catalogue/loops/four-bar.toml --until 12");
-    sets_run(*command, run, streams, options, step);
+void add_step(const CommandLine& line) {
+    auto [command, options] = add_command<StepOptions>(
+        line, "step", "show the steps of a lesson, joint by joint", step,
+        "Example: jointwise step lessons/catalogue/loops/four-bar.toml --until 12");
+    add_lesson_options(command, options.file, options.experiments);
+    add_value(command, "--until", options.until, "N", "last step to show")->check(&fault_of_step);
+    add_format_option(command, options.format, {"text", "json"});
 }
 
 }  // namespace jw

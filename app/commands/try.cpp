@@ -1,10 +1,7 @@
-#include <CLI/CLI.hpp>
-
 #include <optional>
 
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/try/carry_out.hpp"
 #include "app/session/try/possible_experiments.hpp"
 
@@ -47,14 +44,12 @@ Exit try_command(const TryOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_try(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand(
-        "try", "list the experiments of a lesson, with their effect on rank and condition");
-    auto options = std::make_shared<TryOptions>();
-    add_lesson_options(*command, options->file, options->experiments);
-    add_format_option(*command, options->format, {"text", "json"});
-    command->footer("Example: jointwise try lessons/catalogue/loops/four-bar.toml --try \"take out D p1 x\"");
-    sets_run(*command, run, streams, options, try_command);
+void add_try(const CommandLine& line) {
+    auto [command, options] = add_command<TryOptions>(
+        line, "try", "list the experiments of a lesson, with their effect on rank and condition", try_command,
+        "Example: jointwise try lessons/catalogue/loops/four-bar.toml --try \"take out D p1 x\"");
+    add_lesson_options(command, options.file, options.experiments);
+    add_format_option(command, options.format, {"text", "json"});
 }
 
 }  // namespace jw

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "app/exercises/answers/units.hpp"
+#include "app/exercises/answers/spelling.hpp"
 #include "app/exercises/formulas/mistakes.hpp"
 #include "app/session/claims/checks.hpp"
 #include "app/session/claims/claim_poses.hpp"
@@ -249,6 +249,8 @@ std::string title_of(const KnownMistake& mistake) {
     for (const Message& title : mistake.titles) { titles.push_back(tr(title)); }
     return alternatives(titles);
 }
+
+std::string unit_behind(const Asked& asked) { return asked.unit.empty() ? "" : " " + asked.unit; }
 
 Asked asked_in(const Variant& variant) {
     Asked asked;

@@ -55,6 +55,9 @@ enum class KnownMistakes { answered, left_out };
 /// Right answer and answers of known mistakes of a formula, at any instant of the scene's mechanism.
 Asked asked_at(const Variant& variant, const Instant& instant, KnownMistakes mistakes);
 
+/// " m": the unit behind a number; empty if it has none.
+std::string unit_behind(const Asked& asked);
+
 /// Largest difference of an entry from `right`, with turns and the sign of p taken into account; infinity if
 /// the shapes differ.
 double difference_from(const MatrixX& right, const MatrixX& other, const Asked& asked);

@@ -1,7 +1,6 @@
 #include "app/exercises/check_exercise.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "app/exercises/kinds.hpp"
 #include "app/exercises/random.hpp"

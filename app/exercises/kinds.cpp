@@ -104,8 +104,7 @@ std::string accuracy_text(const Task& task) {
     }
     const bool several = asked.right.size() > 1;
     if (task.exercise().absolute) {
-        const std::string unit = asked.unit.empty() ? "" : " " + asked.unit;
-        const std::string off = number_text(asked.tolerance, 3) + unit;
+        const std::string off = number_text(asked.tolerance, 3) + unit_behind(asked);
         return several ? tr("Each number may be off by {0}.", off) : tr("It may be off by {0}.", off);
     }
     // the tolerance itself is a fraction of the answer, and would tell it

@@ -1,9 +1,12 @@
 #include "app/exercises/starters.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include "app/exercises/kinds.hpp"
+#include "app/exercises/starters/starter_texts.hpp"
 #include "app/session/wording/messages.hpp"
+#include "app/session/wording/text_width.hpp"
 #include "lessons/write/writer.hpp"
 
 namespace jw {
@@ -11,147 +14,6 @@ namespace jw {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* kBeforeInputs = R"(#include <algorithm>
-#include <cstdlib>
-#include <iostream>
-#include <iterator>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
-// A number is 1 x 1, a vector n x 1: v[k][0] is its entry k.
-using Matrix = std::vector<std::vector<double>>;
-using Case = std::map<std::string, Matrix>;
-
-Matrix answer([[maybe_unused]] const Case& c) {
-)";
-
-constexpr const char* kAfterInputs =
-    R"(    return {{0}};  // a number {{x}}, a vector {{x}, {y}, {z}}, or rows {{1, 2}, {3, 4}}
-}
-
-// ---- reads the cases and writes the answers; nothing below has to be changed
-
-class Reader {
-public:
-    explicit Reader(std::string text) : text_(std::move(text)) {}
-
-    std::vector<Case> cases() {
-        std::vector<Case> all;
-        at_ = text_.find("\"cases\"");
-        at_ = at_ == std::string::npos ? text_.size() : at_ + 7;
-        take(':');
-        for (take('['); !take(']') && at_ < text_.size(); take(',')) { all.push_back(one_case()); }
-        return all;
-    }
-
-private:
-    // takes a sign if it comes next
-    bool take(char sign) {
-        at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
-        const bool is_there = at_ < text_.size() && text_[at_] == sign;
-        at_ += is_there ? 1 : 0;
-        return is_there;
-    }
-    Case one_case() {
-        Case inputs;
-        for (take('{'); !take('}') && at_ < text_.size(); take(',')) {
-            take('"');
-            const std::size_t end = std::min(text_.find('"', at_), text_.size());
-            const std::string name = text_.substr(at_, end - at_);
-            at_ = end;
-            take('"');
-            take(':');
-            inputs[name] = matrix();
-        }
-        return inputs;
-    }
-    double number() {
-        char* end = nullptr;
-        const double value = std::strtod(text_.c_str() + at_, &end);
-        at_ = static_cast<std::size_t>(end - text_.c_str());
-        return value;
-    }
-    Matrix matrix() {
-        if (!take('[')) { return {{number()}}; }
-        Matrix rows;
-        for (; !take(']') && at_ < text_.size(); take(',')) {
-            rows.emplace_back();
-            if (!take('[')) {
-                rows.back().push_back(number());
-                continue;
-            }
-            for (; !take(']') && at_ < text_.size(); take(',')) { rows.back().push_back(number()); }
-        }
-        return rows;
-    }
-
-    std::string text_;
-    std::size_t at_ = 0;
-};
-
-int main() {
-    std::string text(std::istreambuf_iterator<char>(std::cin), {});
-    std::cout.precision(17);
-    std::cout << "{\"answers\": [";
-    const char* before_answer = "";
-    for (const Case& c : Reader(std::move(text)).cases()) {
-        std::cout << before_answer << '[';
-        before_answer = ", ";
-        const char* before_row = "";
-        for (const auto& row : answer(c)) {
-            std::cout << before_row << '[';
-            before_row = ", ";
-            for (std::size_t k = 0; k < row.size(); ++k) { std::cout << (k > 0 ? ", " : "") << row[k]; }
-            std::cout << ']';
-        }
-        std::cout << ']';
-    }
-    std::cout << "]}\n";
-}
-)";
-
-/// One line for each input of a case.
-std::string lines_for(
-    const Task& task, const std::string& before, const std::string& between, const std::string& after) {
-    std::string text;
-    for (const std::string& name : input_names(task.exercise())) {
-        text += before + name + between + name + after + "\n";
-    }
-    return text;
-}
-
-std::string python_starter(const Task& task) {
-    return "import json\nimport sys\n\n\ndef answer(case):\n" + lines_for(task, "    ", " = case[\"", "\"]") +
-           "    return 0  # a number, a list, or a list of rows\n\n\n"
-           "data = json.load(sys.stdin)\n"
-           "print(json.dumps({\"answers\": [answer(case) for case in data[\"cases\"]]}))\n";
-}
-
-std::string octave_starter(const Task& task) {
-    return "1;  % a script\n\nfunction x = answer (c)\n" + lines_for(task, "  ", " = c.", ";") +
-           "  x = 0;  % a number, a column, or a matrix\nend\n\n"
-           "data = jsondecode (fread (stdin, Inf, 'char=>char')');\nanswers = {};\n"
-           "for k = 1:numel (data.cases)\n"
-           "  if (iscell (data.cases)) c = data.cases{k}; else c = data.cases(k); end\n"
-           "  answers{k} = answer (c);\nend\n"
-           "printf ('%s\\n', jsonencode (struct ('answers', {answers})));\n";
-}
-
-std::string javascript_starter(const Task& task) {
-    return "const data = JSON.parse(require('fs').readFileSync(0, 'utf8'));\n\nfunction answer(c) {\n" +
-           lines_for(task, "  const ", " = c.", ";") +
-           "  return 0;  // a number, a list, or a list of rows\n}\n\n"
-           "console.log(JSON.stringify({ answers: data.cases.map(answer) }));\n";
-}
-
-/// The starter in C++, with its own small JSON reader, since C++ has none.
-std::string cpp_starter(const Task& task) {
-    return kBeforeInputs + lines_for(task, "    [[maybe_unused]] const Matrix& ", " = c.at(\"", "\");") +
-           kAfterInputs;
-}
 
 /// Writes a file unless it exists. @return why it cannot be written
 std::string write_new(const fs::path& file, const std::string& text) {
@@ -166,10 +28,15 @@ std::string write_new(const fs::path& file, const std::string& text) {
 }  // namespace
 
 std::string starter_text(const Task& task, std::string_view ending) {
-    if (ending == ".py") { return python_starter(task); }
-    if (ending == ".cpp") { return cpp_starter(task); }
-    if (ending == ".m") { return octave_starter(task); }
-    return ending == ".js" ? javascript_starter(task) : std::string();
+    const auto* const found =
+        std::ranges::find(kStarterTexts, ending, [](const auto& entry) { return entry.first; });
+    if (found == kStarterTexts.end()) { return {}; }
+    std::string text(found->second);
+    const std::size_t begin = text.rfind('\n', text.find("NAME")) + 1;
+    const std::string line = text.substr(begin, text.find('\n', begin) + 1 - begin);
+    std::string inputs;
+    for (const std::string& name : input_names(task.exercise())) { inputs += replaced(line, "NAME", name); }
+    return text.replace(begin, line.size(), inputs);
 }
 
 std::string write_starter(const Task& task, const fs::path& file) {

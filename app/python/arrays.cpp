@@ -55,6 +55,10 @@ py::array view_of(const Table& m, const py::handle& owner) {
     return view_of(m.data(), {m.rows(), m.cols()}, {m.cols(), 1}, owner, Access::read);
 }
 
+py::array view_of(const Vector3& v, const py::handle& owner) {
+    return view_of(v.data(), {3}, {1}, owner, Access::read);
+}
+
 py::array view_of(std::vector<double>& numbers, const py::handle& owner) {
     return view_of(numbers.data(), {static_cast<py::ssize_t>(numbers.size())}, {1}, owner, Access::write);
 }

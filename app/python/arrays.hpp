@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,6 +67,7 @@ py::array view_of(
 py::array view_of(const Eigen::VectorXd& v, const py::handle& owner);
 py::array view_of(const Eigen::MatrixXd& m, const py::handle& owner);  ///< column-major
 py::array view_of(const Table& m, const py::handle& owner);            ///< row-major
+py::array view_of(const Vector3& v, const py::handle& owner);
 
 /// Vectors of N numbers as a writable array with rows of N.
 template <int N>
@@ -74,6 +76,15 @@ py::array view_of(std::vector<Eigen::Matrix<double, N, 1>>& rows, const py::hand
     return view_of(data, {static_cast<py::ssize_t>(rows.size()), N}, {N, 1}, owner, Access::write);
 }
 py::array view_of(std::vector<double>& numbers, const py::handle& owner);
+
+/// Adds a property that is a view of a part of the object. @param part  a member, or a function of the object
+template <class T, class Part>
+void add_view(py::class_<T>& type, const char* name, Part part, const char* doc) {
+    type.def_property_readonly(
+        name,
+        [part](const py::object& self) { return view_of(std::invoke(part, self.cast<const T&>()), self); },
+        doc);
+}
 
 /// Copies `from` into `to`, which views may show. @throws py::value_error if their sizes differ
 template <class T>

@@ -53,6 +53,15 @@ Coordinates coordinates_of(const py::object& value);
 const Rates& rates_or_rest(const Rates* velocities, const Pose& pose, Rates& at_rest);
 
 /// "4 bodies": a count in words for __repr__.
-std::string counted(std::size_t count, const char* thing);
+std::string counted(py::ssize_t count, const char* thing);
+
+/// Adds the ways in which Python copies an object. @param doc  of `copy`
+template <class T>
+void add_copies(py::class_<T>& type, const char* doc) {
+    const auto copied = [](const T& self) { return T(self); };
+    type.def("copy", copied, doc)
+        .def("__copy__", copied)
+        .def("__deepcopy__", [](const T& self, const py::dict&) { return T(self); });
+}
 
 }  // namespace jointwise::python

@@ -30,23 +30,15 @@ void add_coordinates(py::module_& module) {
     }
 }
 
-/// A property that is a view of a member.
-template <class T, class Member>
-void add_view(py::class_<T>& type, const char* name, Member T::*member, const char* doc) {
-    type.def_property_readonly(
-        name, [member](const py::object& self) { return view_of(self.cast<const T&>().*member, self); }, doc);
-}
-
 void add_results(py::module_& module) {
     py::class_<Equations> equations(
         module, "Equations",
         "Φ, Φq and the right sides of Φq q̇ = ν and Φq q̈ = γ. The arrays are views of its memory that cannot "
-        "be "
-        "written.");
+        "be written.");
     equations.def_readonly("rows", &Equations::rows, "'hinge.p1.y', one per row.")
         .def("__repr__", [](const Equations& e) {
-            return "<jointwise.Equations: " + counted(e.rows.size(), "row") + ", " +
-                   counted(static_cast<std::size_t>(e.jacobian.cols()), "column") + ">";
+            return "<jointwise.Equations: " + counted(std::ssize(e.rows), "row") + ", " +
+                   counted(e.jacobian.cols(), "column") + ">";
         });
     add_view(equations, "phi", &Equations::phi, "Φ [rows].");
     add_view(equations, "jacobian", &Equations::jacobian, "Φq [rows x columns], column-major.");
@@ -105,36 +97,27 @@ void add_equations(py::module_& module) {
         "equations_at", &equations_of, "mechanism"_a, "pose"_a, "velocities"_a = py::none(),
         "coordinates"_a = Coordinates::modified_euler_parameters,
         "Equations of all joints and drivers at a pose; the columns are seven or six of each moving body, "
-        "then the angles "
-        "of screws. Without velocities γ is that of rest.");
+        "then the angles of screws. Without velocities γ is that of rest.");
     module.def(
         "assemble",
-        [](const Mechanism& mechanism, double t) {
-            const Mechanism own = mechanism;
-            return in_parallel([&] { return assemble(own, t); });
-        },
+        [](Mechanism mechanism, double t) { return in_parallel([&] { return assemble(mechanism, t); }); },
         "mechanism"_a, "t"_a = 0.0,
         "Puts everything together at a time [s]: Φ(q, t) = 0 from the start estimate on. Raises NotReached.");
     module.def(
         "assemble",
-        [](const Mechanism& mechanism, Pose estimate, double t) {
-            const Mechanism own = mechanism;
-            return in_parallel([&] { return assemble(own, estimate, t); });
+        [](Mechanism mechanism, Pose estimate, double t) {
+            return in_parallel([&] { return assemble(mechanism, estimate, t); });
         },
         "mechanism"_a, "estimate"_a, "t"_a = 0.0,
         "Puts everything together at a time [s] from another estimate on. Raises NotReached.");
     module.def(
         "rank_at",
-        [](const Mechanism& mechanism, Pose pose) {
-            const Mechanism own = mechanism;
-            return in_parallel([&] { return rank_at(own, pose); });
-        },
+        [](Mechanism mechanism, Pose pose) { return in_parallel([&] { return rank_at(mechanism, pose); }); },
         "mechanism"_a, "pose"_a, "Rank of Φq at a pose, in (r, ω′) coordinates.");
     module.def(
         "velocities_at", &velocities_at, "mechanism"_a, "pose"_a,
         "Velocities that satisfy Φq q̇ = ν, the smallest where that leaves a choice. Raises NotReached if "
-        "equations "
-        "contradict each other.");
+        "equations contradict each other.");
     module.def(
         "accelerations_at", &accelerations_at, "mechanism"_a, "pose"_a, "velocities"_a,
         "Accelerations with Φq q̈ = γ, likewise, in the places of velocities.");

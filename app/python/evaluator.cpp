@@ -32,8 +32,7 @@ Numbers phi_of(Evaluator& evaluator, const Pose& pose) {
 }
 
 /// Equations along a motion, and the size of Φq: each row of its table has rows × columns numbers.
-struct AlongMotion {
-    EquationsTable table;
+struct AlongMotion : EquationsTable {
     py::ssize_t rows;
     py::ssize_t columns;
 };
@@ -41,7 +40,7 @@ struct AlongMotion {
 py::array jacobians_of(const py::object& self) {
     const auto& along = self.cast<const AlongMotion&>();
     return view_of(
-        along.table.jacobian.data(), {along.table.jacobian.rows(), along.rows, along.columns},
+        along.jacobian.data(), {along.jacobian.rows(), along.rows, along.columns},
         {along.rows * along.columns, along.columns, 1}, self, Access::read);
 }
 
@@ -49,23 +48,13 @@ void add_along_motion(py::module_& module) {
     py::class_<AlongMotion> type(
         module, "EquationsTable",
         "Equations at all times of a motion: row-major views of its memory that cannot be written.");
-    const auto add = [&type](const char* name, Table EquationsTable::*member, const char* doc) {
-        type.def_property_readonly(
-            name,
-            [member](const py::object& self) {
-                return view_of(self.cast<const AlongMotion&>().table.*member, self);
-            },
-            doc);
-    };
-    add("phi", &EquationsTable::phi, "Φ [times x rows].");
-    add("nu", &EquationsTable::nu, "ν [times x rows].");
-    add("gamma", &EquationsTable::gamma, "γ [times x rows].");
+    add_view(type, "phi", &EquationsTable::phi, "Φ [times x rows].");
+    add_view(type, "nu", &EquationsTable::nu, "ν [times x rows].");
+    add_view(type, "gamma", &EquationsTable::gamma, "γ [times x rows].");
     type.def_property_readonly("jacobian", &jacobians_of, "Φq [times x rows x columns].")
         .def("__repr__", [](const AlongMotion& along) {
-            return "<jointwise.EquationsTable: " +
-                   counted(static_cast<std::size_t>(along.table.phi.rows()), "time") + ", " +
-                   counted(static_cast<std::size_t>(along.rows), "row") + ", " +
-                   counted(static_cast<std::size_t>(along.columns), "column") + ">";
+            return "<jointwise.EquationsTable: " + counted(along.phi.rows(), "time") + ", " +
+                   counted(along.rows, "row") + ", " + counted(along.columns, "column") + ">";
         });
 }
 
@@ -77,8 +66,8 @@ void add_evaluator(py::module_& module) {
     py::class_<Evaluator>(
         module, "Evaluator",
         "The equations of one mechanism at many poses: structure and memory are made once. The mechanism is "
-        "taken as it "
-        "is now. Rows of p1 and p2 are chosen at the start pose, and again by `choose_rows` only.")
+        "taken as it is now. Rows of p1 and p2 are chosen at the start pose, and again by `choose_rows` "
+        "only.")
         .def(
             py::init([](const Mechanism& mechanism, const py::object& coordinates) {
                 return Evaluator(mechanism, coordinates_of(coordinates));
@@ -116,8 +105,8 @@ void add_evaluator(py::module_& module) {
         .def("velocities_at", &Evaluator::velocities_at, "pose"_a)
         .def("accelerations_at", &Evaluator::accelerations_at, "pose"_a, "velocities"_a)
         .def("__repr__", [](const Evaluator& e) {
-            return "<jointwise.Evaluator: " + counted(static_cast<std::size_t>(e.rows()), "row") + ", " +
-                   counted(static_cast<std::size_t>(e.columns()), "column") + ">";
+            return "<jointwise.Evaluator: " + counted(e.rows(), "row") + ", " +
+                   counted(e.columns(), "column") + ">";
         });
 }
 

@@ -12,16 +12,15 @@ namespace {
 
 constexpr double kBytesOfMegabyte = 1e6;
 
-void save(const Film& film, const std::filesystem::path& file) {
-    const Film own = film;
-    until_interrupted([&](const std::function<bool()>& go_on) { own.save(file, go_on); });
+void save(Film film, const std::filesystem::path& file) {
+    until_interrupted([&](const std::function<bool()>& go_on) { film.save(file, go_on); });
 }
 
 /// "8.3 s, 250 pictures of 960 x 540, 0.8 MB"
 std::string size_text(const Film& film, std::size_t bytes) {
     char numbers[64];
     std::snprintf(numbers, sizeof numbers, "%.1f s, ", film.seconds());
-    std::string text = numbers + counted(static_cast<std::size_t>(film.pictures()), "picture") + " of " +
+    std::string text = numbers + counted(film.pictures(), "picture") + " of " +
                        std::to_string(film.options().width) + " x " + std::to_string(film.options().height);
     std::snprintf(numbers, sizeof numbers, ", %.1f MB", static_cast<double>(bytes) / kBytesOfMegabyte);
     return text + numbers;
@@ -45,13 +44,12 @@ std::string html_of(const Film& film) {
 }
 
 std::unique_ptr<Film> film_of(
-    const Lesson& lesson, const std::string& from, const std::string& to, double fps, bool loop, bool tween,
+    Lesson lesson, const std::string& from, const std::string& to, double fps, bool loop, bool tween,
     bool dark, double text, const std::optional<std::array<double, 3>>& camera, bool panels, bool transparent,
     int width, int height) {
-    const Lesson own = lesson;
     const FilmOptions options{from, to,     fps,    loop,        tween, dark,
                               text, camera, panels, transparent, width, height};
-    return in_parallel([&] { return std::make_unique<Film>(own, options); });
+    return in_parallel([&] { return std::make_unique<Film>(lesson, options); });
 }
 
 }  // namespace
@@ -74,7 +72,7 @@ void add_films(py::module_& module) {
             "with ffmpeg .mp4 and .webm, which have their captions beside them. Ctrl-C ends it.")
         .def("_repr_html_", &html_of)
         .def("__repr__", [](const Film& film) {
-            return "<jointwise.Film: " + counted(static_cast<std::size_t>(film.pictures()), "picture") + ">";
+            return "<jointwise.Film: " + counted(film.pictures(), "picture") + ">";
         });
     const FilmOptions usual;
     const py::object lesson = module.attr("Lesson");
@@ -84,8 +82,7 @@ void add_films(py::module_& module) {
         "dark"_a = usual.dark, "text"_a = usual.text, "camera"_a = usual.camera, "panels"_a = usual.panels,
         "transparent"_a = usual.transparent, "width"_a = usual.width, "height"_a = usual.height,
         "The lesson as a Film, as `jointwise render` makes it. `from_` and `to` are steps: a number from 1, "
-        "a "
-        "joint or driver, or 't=0.5'; `camera` is the direction in which the eye is. Raises ValueError.");
+        "a joint or driver, or 't=0.5'; `camera` is the direction in which the eye is. Raises ValueError.");
 }
 
 }  // namespace jointwise::python

@@ -17,23 +17,13 @@ py::array array_of(Table table) {
         numbers.data(), {numbers.rows(), numbers.cols()}, {numbers.cols(), 1}, owner, Access::write);
 }
 
-template <class T>
-void add_vector(py::class_<T>& type, const char* name, Vector3 T::*member, const char* doc) {
-    type.def_property_readonly(
-        name,
-        [member](const py::object& self) {
-            return view_of((self.cast<const T&>().*member).data(), {3}, {1}, self, Access::read);
-        },
-        doc);
-}
-
 void add_quantities(py::module_& module) {
     using namespace py::literals;
     py::class_<Quantities>(
         module, "Quantities",
         "Quantities of one mechanism by their names, as docs/quantities.md lists them: 'crank.x', "
-        "'hinge.angle_dot', "
-        "'|hinge.force|', 'energy.sum'. SI units and radians; NaN where there is no value.")
+        "'hinge.angle_dot', '|hinge.force|', 'energy.sum'. SI units and radians; NaN where there is no "
+        "value.")
         .def(py::init<const Mechanism&, const std::vector<std::string>&>(), "mechanism"_a, "names"_a)
         .def_property_readonly("names", &Quantities::names, "As they are called today.")
         .def_property_readonly("units", &Quantities::units, "'rad/s', 'N m'; '1' where a number has no unit.")
@@ -70,9 +60,9 @@ void add_reactions(py::module_& module) {
         .def_readonly("torque_unique", &Reaction::torque_unique)
         .def_readonly("effort", &Reaction::effort, "Of a driver: effort times rate is its power [N, N m].")
         .def("__repr__", [](const Reaction& r) { return "<jointwise.Reaction of " + r.name + ">"; });
-    add_vector(reaction, "point", &Reaction::point, "On body j [m].");
-    add_vector(reaction, "force", &Reaction::force, "[N]");
-    add_vector(reaction, "torque", &Reaction::torque, "About the point [N m].");
+    add_view(reaction, "point", &Reaction::point, "On body j [m].");
+    add_view(reaction, "force", &Reaction::force, "[N]");
+    add_view(reaction, "torque", &Reaction::torque, "About the point [N m].");
 
     py::class_<Reactions>(
         module, "Reactions",
@@ -83,7 +73,7 @@ void add_reactions(py::module_& module) {
             "residual", &Reactions::residual, "Part of M q̈ - Q that no reaction explains, relative.")
         .def_readonly("bound", &Reactions::bound, "Largest residual that rounding explains.")
         .def("__repr__", [](const Reactions& r) {
-            return "<jointwise.Reactions: " + counted(r.reactions.size(), "reaction") +
+            return "<jointwise.Reactions: " + counted(std::ssize(r.reactions), "reaction") +
                    (r.open > 0 ? ", not unique>" : ">");
         });
     module.def(

@@ -53,8 +53,9 @@ int add_joint(
 }
 
 std::string text_of(const Mechanism& m) {
-    return "<jointwise.Mechanism: " + counted(m.body_names().size() - 1, "body") + " and the ground, " +
-           counted(m.joint_names().size(), "joint") + ", " + counted(m.driver_names().size(), "driver") + ">";
+    return "<jointwise.Mechanism: " + counted(std::ssize(m.body_names()) - 1, "body") + " and the ground, " +
+           counted(std::ssize(m.joint_names()), "joint") + ", " +
+           counted(std::ssize(m.driver_names()), "driver") + ">";
 }
 
 void add_building(py::class_<Mechanism>& type) {
@@ -67,23 +68,18 @@ void add_building(py::class_<Mechanism>& type) {
             },
             "name"_a, "r"_a, "p"_a = py::make_tuple(1.0, 0.0, 0.0, 0.0),
             "Adds a moving body at its start estimate: r [m] and Euler parameters p = (e0, e1, e2, e3). "
-            "Returns its "
-            "number.")
+            "Returns its number.")
         .def(
             "add_joint", &add_joint, "name"_a, "type"_a, "body_i"_a, "body_j"_a, py::kw_only(), "at"_a = zero,
             "to"_a = py::none(), "axis"_a = py::make_tuple(0.0, 0.0, 1.0), "axis2"_a = py::none(),
             "side"_a = py::none(), "pitch"_a = py::none(), "ratio"_a = py::none(), "radius"_a = py::none(),
             "curve"_a = py::none(),
             "Adds a joint of a type of `joint_types()` between two bodies, given by number or name. The "
-            "place is "
-            "global, at the start pose: point `at` of the first body and `to` of the second (None: the same) "
-            "[m], `axis` "
-            "of both and `axis2` of the second where it has another, `side` where angles begin, `pitch` of a "
-            "screw [m per turn], `ratio` of a gear or a belt (turns of the second wheel in one of the "
-            "first), "
-            "`radius` of the wheel on a rack [m], `curve`: points of a closed curve in the frame of the "
-            "first body [m]. "
-            "Returns its number.")
+            "place is global, at the start pose: point `at` of the first body and `to` of the second (None: "
+            "the same) [m], `axis` of both and `axis2` of the second where it has another, `side` where "
+            "angles begin, `pitch` of a screw [m per turn], `ratio` of a gear or a belt (turns of the second "
+            "wheel in one of the first), `radius` of the wheel on a rack [m], `curve`: points of a closed "
+            "curve in the frame of the first body [m]. Returns its number.")
         .def(
             "add_driver",
             [](Mechanism& m, const std::string& name, const py::object& joint, const py::object& value) {
@@ -92,8 +88,7 @@ void add_building(py::class_<Mechanism>& type) {
             },
             "name"_a, "joint"_a, "value"_a,
             "Prescribes the angle of a joint [rad], or where it has none its displacement [m], as c0 + c1 t "
-            "+ c2 t² + "
-            "...: `value` is [c0, c1, ...]. Returns its number.");
+            "+ c2 t² + ...: `value` is [c0, c1, ...]. Returns its number.");
 }
 
 void add_forces(py::class_<Mechanism>& type) {
@@ -132,13 +127,12 @@ void add_forces(py::class_<Mechanism>& type) {
             },
             "body_i"_a, "P_i_local"_a, "body_j"_a, "P_j_local"_a, "k"_a, "free_length"_a, "c"_a = 0.0,
             "Spring and damper between two points in the frames of their bodies [m]: f = k (l - free_length) "
-            "+ c dl/dt; "
-            "k [N/m], c [N s/m].");
+            "+ c dl/dt; k [N/m], c [N s/m].");
 }
 
 }  // namespace
 
-std::string counted(std::size_t count, const char* thing) {
+std::string counted(py::ssize_t count, const char* thing) {
     std::string plural = std::string(thing) + "s";
     if (plural == "bodys") { plural = "bodies"; }
     return std::to_string(count) + " " + (count == 1 ? thing : plural);
@@ -148,19 +142,14 @@ void add_mechanism(py::module_& module) {
     py::class_<Mechanism> type(
         module, "Mechanism",
         "Bodies, joints and drivers as data. Bodies, joints and drivers have numbers in the order in which "
-        "they were "
-        "added; body 0 is the ground. An argument that makes no sense raises ValueError and changes "
-        "nothing.");
+        "they were added; body 0 is the ground. An argument that makes no sense raises ValueError and "
+        "changes nothing.");
     type.def(py::init<>())
         .def_property_readonly("body_names", &Mechanism::body_names)
         .def_property_readonly("joint_names", &Mechanism::joint_names)
         .def_property_readonly("driver_names", &Mechanism::driver_names)
-        .def(
-            "copy", [](const Mechanism& m) { return Mechanism(m); },
-            "A mechanism of its own, with the same data.")
-        .def("__copy__", [](const Mechanism& m) { return Mechanism(m); })
-        .def("__deepcopy__", [](const Mechanism& m, const py::dict&) { return Mechanism(m); })
         .def("__repr__", &text_of);
+    add_copies(type, "A mechanism of its own, with the same data.");
     add_building(type);
     add_forces(type);
     module.def(

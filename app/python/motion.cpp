@@ -46,18 +46,15 @@ py::array part_of(const py::object& self, const Part& part) {
 }
 
 void add_tables(py::class_<Trajectory>& type) {
-    const auto add = [&type](const char* name, Table Trajectory::*member, const char* doc) {
-        type.def_property_readonly(
-            name,
-            [member](const py::object& self) {
-                return view_of(self.cast<const Trajectory&>().*member, self);
-            },
-            doc);
-    };
-    add("q", &Trajectory::q,
+    add_view(type, "t", &Trajectory::t, "Times [s].");
+    add_view(type, "energy", &Trajectory::energy, "Kinetic and potential energy [J]; 0 in `follow`.");
+    add_view(
+        type, "q", &Trajectory::q,
         "r and p of every body, 7 columns each, the ground first; then the angles of screws.");
-    add("q_dot", &Trajectory::q_dot, "ṙ and ω′ of every body, 6 columns each; then the rates of the angles.");
-    add("q_ddot", &Trajectory::q_ddot, "r̈ and ω̇′, likewise.");
+    add_view(
+        type, "q_dot", &Trajectory::q_dot,
+        "ṙ and ω′ of every body, 6 columns each; then the rates of the angles.");
+    add_view(type, "q_ddot", &Trajectory::q_ddot, "r̈ and ω̇′, likewise.");
     for (const Part& part : kParts) {
         type.def_property_readonly(
             part.name, [&part](const py::object& self) { return part_of(self, part); }, part.doc);
@@ -67,8 +64,7 @@ void add_tables(py::class_<Trajectory>& type) {
 Moment moment_of(const Trajectory& trajectory, int index) {
     const int row = index < 0 ? index + trajectory.times() : index;
     if (row < 0 || row >= trajectory.times()) {
-        throw py::index_error(
-            "jointwise: the trajectory has " + counted(static_cast<std::size_t>(trajectory.times()), "time"));
+        throw py::index_error("jointwise: the trajectory has " + counted(trajectory.times(), "time"));
     }
     return trajectory.moment(row);
 }
@@ -80,16 +76,8 @@ void add_motion(py::module_& module) {
     py::class_<Trajectory> type(
         module, "Trajectory",
         "A motion at ascending times. Each of `q`, `q_dot` and `q_ddot` is one row-major matrix [times x "
-        "columns]; the "
-        "other arrays are views of these. None can be written. An index gives a Moment.");
-    type.def_property_readonly(
-            "t", [](const py::object& self) { return view_of(self.cast<const Trajectory&>().t, self); },
-            "Times [s].")
-        .def_property_readonly(
-            "energy",
-            [](const py::object& self) { return view_of(self.cast<const Trajectory&>().energy, self); },
-            "Kinetic and potential energy [J]; 0 in `follow`.")
-        .def("__len__", &Trajectory::times)
+        "columns]; the other arrays are views of these. None can be written. An index gives a Moment.");
+    type.def("__len__", &Trajectory::times)
         .def("__getitem__", &moment_of, "index"_a)
         .def(
             "__iter__",
@@ -97,18 +85,17 @@ void add_motion(py::module_& module) {
                 return py::reinterpret_steal<py::iterator>(PySeqIter_New(self.ptr()));
             })
         .def("__repr__", [](const Trajectory& trajectory) {
-            return "<jointwise.Trajectory: " + counted(static_cast<std::size_t>(trajectory.times()), "time") +
-                   ", " + counted(static_cast<std::size_t>(trajectory.bodies), "body") + ">";
+            return "<jointwise.Trajectory: " + counted(trajectory.times(), "time") + ", " +
+                   counted(trajectory.bodies, "body") + ">";
         });
     add_tables(type);
 
     module.def(
         "follow",
-        [](const Mechanism& mechanism, const py::object& times) {
-            const Mechanism own = mechanism;
+        [](Mechanism mechanism, const py::object& times) {
             const std::vector<double> at = list_of(times, "times");
             return until_interrupted([&](const std::function<bool()>& go_on) {
-                return std::make_unique<Trajectory>(follow_trajectory(own, at, go_on));
+                return std::make_unique<Trajectory>(follow_trajectory(mechanism, at, go_on));
             });
         },
         "mechanism"_a, "times"_a,
@@ -116,22 +103,19 @@ void add_motion(py::module_& module) {
     const Simulation usual;
     module.def(
         "simulate",
-        [](const Mechanism& mechanism, const py::object& times, const std::string& method, double tolerance,
+        [](Mechanism mechanism, const py::object& times, const std::string& method, double tolerance,
            double step) {
-            const Mechanism own = mechanism;
             const std::vector<double> at = list_of(times, "times");
             return until_interrupted([&](const std::function<bool()>& go_on) {
                 const Simulation settings{method, tolerance, step, go_on};
-                return std::make_unique<Trajectory>(simulate_trajectory(own, at, settings));
+                return std::make_unique<Trajectory>(simulate_trajectory(mechanism, at, settings));
             });
         },
         "mechanism"_a, "times"_a, py::kw_only(), "method"_a = usual.method, "tolerance"_a = usual.tolerance,
         "step"_a = usual.step,
         "Motion by masses and forces, from t = 0 through ascending times [s]. `method` as for `jointwise "
-        "simulate`, "
-        "`tolerance` of adaptive methods, `step` of the others [s]. Every moving body needs a mass. Raises "
-        "NotReached "
-        "where it ends early.");
+        "simulate`, `tolerance` of adaptive methods, `step` of the others [s]. Every moving body needs a "
+        "mass. Raises NotReached where it ends early.");
 }
 
 }  // namespace jointwise::python

@@ -29,9 +29,8 @@ py::array pixels(const py::object& self) {
 
 /// @param what  a Mechanism or a Lesson
 template <class T>
-Image drawn(const T& what, Pose pose, int width, int height) {
-    const T own = what;
-    return in_parallel([&] { return draw(own, pose, width, height); });
+Image drawn(T what, Pose pose, int width, int height) {
+    return in_parallel([&] { return draw(what, pose, width, height); });
 }
 
 const Mechanism& mechanism_of(const Mechanism& mechanism) { return mechanism; }
@@ -74,13 +73,10 @@ void add_pictures(py::module_& module) {
     module.def(
         "draw", &drawn<Lesson>, "lesson"_a, "pose"_a, "width"_a = kWidth, "height"_a = kHeight,
         "A lesson at a pose, with its shapes and colours, from the direction that it asks for.");
-    const auto add_to = [](const py::object& type, const char* name, const py::cpp_function& f) {
-        type.attr(name) = f;
-    };
     const py::object mechanism = module.attr("Mechanism");
-    add_to(mechanism, "_repr_png_", {&inline_png<Mechanism>, py::is_method(mechanism)});
+    mechanism.attr("_repr_png_") = py::cpp_function(&inline_png<Mechanism>, py::is_method(mechanism));
     const py::object lesson = module.attr("Lesson");
-    add_to(lesson, "_repr_png_", {&inline_png<Lesson>, py::is_method(lesson)});
+    lesson.attr("_repr_png_") = py::cpp_function(&inline_png<Lesson>, py::is_method(lesson));
 }
 
 }  // namespace jointwise::python

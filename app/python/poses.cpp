@@ -7,6 +7,8 @@ namespace jointwise::python {
 
 namespace {
 
+constexpr const char* kCopied = "Other numbers, of the same size.";
+
 Pose pose_with(double t, const py::object& r, const py::object& p, const py::object& theta) {
     Pose pose{t, rows_of<3>(r, "r"), rows_of<4>(p, "p"), list_of(theta, "theta")};
     if (pose.r.size() != pose.p.size()) {
@@ -35,21 +37,12 @@ void add_array(py::class_<T>& type, const char* name, Member T::*member, Read re
         doc);
 }
 
-template <class T>
-void add_copies(py::class_<T>& type) {
-    type.def(
-            "copy", [](const T& self) { return T(self); }, "Other numbers, of the same size.")
-        .def("__copy__", [](const T& self) { return T(self); })
-        .def("__deepcopy__", [](const T& self, const py::dict&) { return T(self); });
-}
-
 void add_pose(py::module_& module) {
     using namespace py::literals;
     py::class_<Pose> type(
         module, "Pose",
         "Positions at a time. The arrays are views: what is written to them changes the pose. `r` [bodies x "
-        "3] in m, `p` "
-        "[bodies x 4] Euler parameters, the ground first; `theta` [screws] in rad.");
+        "3] in m, `p` [bodies x 4] Euler parameters, the ground first; `theta` [screws] in rad.");
     type.def(py::init(&pose_with), "t"_a, "r"_a, "p"_a, "theta"_a = py::tuple())
         .def_readwrite("t", &Pose::t, "Time [s].")
         .def(py::pickle(
@@ -61,12 +54,13 @@ void add_pose(py::module_& module) {
             }))
         .def("__repr__", [](const Pose& pose) {
             return "<jointwise.Pose at t = " + py::str(py::float_(pose.t)).cast<std::string>() +
-                   " s: " + counted(pose.r.size(), "body") + ", " + counted(pose.theta.size(), "screw") + ">";
+                   " s: " + counted(std::ssize(pose.r), "body") + ", " +
+                   counted(std::ssize(pose.theta), "screw") + ">";
         });
     add_array(type, "r", &Pose::r, &rows_of<3>, "Origins of the bodies [bodies x 3, m], global.");
     add_array(type, "p", &Pose::p, &rows_of<4>, "Euler parameters e0, e1, e2, e3 [bodies x 4].");
     add_array(type, "theta", &Pose::theta, &list_of, "Angles of screws [rad].");
-    add_copies(type);
+    add_copies(type, kCopied);
 }
 
 void add_rates(py::module_& module) {
@@ -74,9 +68,8 @@ void add_rates(py::module_& module) {
     py::class_<Rates> type(
         module, "Rates",
         "Velocities, or accelerations in their place; the arrays are views that can be written. `r_dot` "
-        "[bodies x 3] in "
-        "m/s, `omega_local` [bodies x 3] in rad/s and in the frame of the body, `theta_dot` [screws] in "
-        "rad/s.");
+        "[bodies x 3] in m/s, `omega_local` [bodies x 3] in rad/s and in the frame of the body, `theta_dot` "
+        "[screws] in rad/s.");
     type.def(py::init(&rates_with), "r_dot"_a, "omega_local"_a, "theta_dot"_a = py::tuple())
         .def(py::pickle(
             [](const py::object& self) {
@@ -84,14 +77,14 @@ void add_rates(py::module_& module) {
             },
             [](const py::tuple& saved) { return rates_with(saved[0], saved[1], saved[2]); }))
         .def("__repr__", [](const Rates& rates) {
-            return "<jointwise.Rates: " + counted(rates.r_dot.size(), "body") + ", " +
-                   counted(rates.theta_dot.size(), "screw") + ">";
+            return "<jointwise.Rates: " + counted(std::ssize(rates.r_dot), "body") + ", " +
+                   counted(std::ssize(rates.theta_dot), "screw") + ">";
         });
     add_array(type, "r_dot", &Rates::r_dot, &rows_of<3>, "Velocities of the origins [bodies x 3, m/s].");
     add_array(
         type, "omega_local", &Rates::omega_local, &rows_of<3>, "Angular velocities ω′ [bodies x 3, rad/s].");
     add_array(type, "theta_dot", &Rates::theta_dot, &list_of, "Rates of the angles of screws [rad/s].");
-    add_copies(type);
+    add_copies(type, kCopied);
 }
 
 }  // namespace

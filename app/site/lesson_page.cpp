@@ -112,9 +112,8 @@ public:
         return part(
             "exercises", tr("Exercises"),
             "<p>" +
-                markup_text(
-                    tr("The figure chooses numbers of your own and says what is wrong with an answer; "
-                       "nothing is sent anywhere.")) +
+                markup_text(tr("The figure chooses numbers of your own and says what is wrong with an "
+                               "answer; nothing is sent anywhere.")) +
                 "</p>\n" + html);
     }
 

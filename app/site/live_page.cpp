@@ -148,8 +148,7 @@ void write_course_files(const SiteCourse& course, const fs::path& into) {
         if (read.exercises.empty() && !read.diagnostics.empty()) {
             throw std::runtime_error(
                 "in the site exercises do not find what they need; expected their scenes below their own "
-                "folder or "
-                "the lessons:\n" +
+                "folder or the lessons:\n" +
                 read.report());
         }
     }

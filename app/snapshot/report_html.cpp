@@ -2,42 +2,12 @@
 
 #include "app/session/encoding/base64.hpp"
 #include "app/session/encoding/html_words.hpp"
+#include "app/snapshot/report_parts.hpp"
 #include "app/snapshot/reports.hpp"
 
 namespace jw::snapshot {
 
 namespace {
-
-constexpr const char* kStyle =
-    ":root{--ink:#1d2733;--soft:#5a6773;--line:#d5dce4;--paper:#fff;--bad:#b3261e;--good:#1b6e3c;--tint:#"
-    "f4f6f9}"
-    "@media(prefers-color-scheme:dark){:root{--ink:#e6ebf0;--soft:#9aa7b4;--line:#39424c;--paper:#171c22;"
-    "--bad:#ff8a80;--good:#7fd6a0;--tint:#20272f}}"
-    "body{font:16px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 "
-    "1rem;color:var(--ink);"
-    "background:var(--paper)}h1{margin:0 0 .3rem}h2{margin:2.2rem 0 .3rem}h3{margin:1.6rem 0 .2rem}"
-    ".why{font-size:1.1rem;font-weight:600;margin:.3rem 0}.soft{color:var(--soft)}.bad{color:var(--bad)}"
-    ".good{color:var(--good)}table{border-collapse:collapse;margin:.6rem 0;max-width:100%}"
-    "td,th{text-align:left;padding:.2rem .8rem .2rem 0;border-bottom:1px solid "
-    "var(--line);vertical-align:top;"
-    "overflow-wrap:anywhere}img{display:block;width:100%;border:1px solid var(--line)}"
-    ".row{display:grid;grid-template-columns:repeat(auto-fit,minmax(20rem,1fr));gap:.8rem}"
-    "figure{margin:0}figcaption{font-size:.85rem;color:var(--soft)}.over{position:relative;margin:.4rem 0}"
-    ".over .top{position:absolute;left:0;top:0;clip-path:inset(0 calc(100% - var(--cut,50%)) 0 0)}"
-    ".over .top.all{clip-path:none}.over .top.none{visibility:hidden}input[type=range]{width:100%}"
-    "button{font:inherit;padding:.2rem .8rem}details{margin:.5rem 0;background:var(--tint);padding:.4rem "
-    ".8rem}";
-
-// the slider sets where golden and actual picture meet; "Blink" shows them alternately
-constexpr const char* kScript =
-    "for(const box of document.querySelectorAll('.compare')){const top=box.querySelector('.top');"
-    "box.querySelector('input').addEventListener('input',e=>top.style.setProperty('--cut',e.target.value+'%')"
-    ");"
-    "let timer=0,shown=true;const button=box.querySelector('button');button.addEventListener('click',()=>{"
-    "if(timer){clearInterval(timer);timer=0;top.classList.remove('all','none');button.textContent='Blink';"
-    "return}"
-    "button.textContent='Stop';timer=setInterval(()=>{shown=!shown;top.classList.toggle('all',shown);"
-    "top.classList.toggle('none',!shown)},500)})}";
 
 std::string image_source(const std::vector<std::uint8_t>& png) {
     return "data:image/png;base64," + base64(png);
@@ -58,8 +28,8 @@ std::string comparison_of(const SnapshotResult& result) {
     return "<div class=\"compare\"><div class=\"over\"><img src=\"" + image_source(result.actual_png) +
            "\" alt=\"now\"><img class=\"top\" src=\"" + image_source(result.golden_png) +
            "\" alt=\"expected\"></div><label>left: expected, right: now <input type=\"range\" min=\"0\" "
-           "max=\"100\" value=\"50\" aria-label=\"where expected and present picture meet\"></label> "
-           "<button type=\"button\">Blink</button></div>\n<div class=\"row\">" +
+           "max=\"100\" value=\"50\" aria-label=\"where expected and present picture meet\"></label> <button "
+           "type=\"button\">Blink</button></div>\n<div class=\"row\">" +
            figure_of(result.marked_png, "colours that differ, in red") +
            figure_of(result.marked_ids_png, "things or depths that differ, in red") + "</div>\n";
 }
@@ -154,8 +124,8 @@ std::string section_of(const LessonResult& result) {
 std::string html_of(const std::vector<LessonResult>& results) {
     std::string html =
         std::string(
-            "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta "
-            "name=\"viewport\" content=\"width=device-width\"><title>Snapshots</title><style>") +
+            "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+            "content=\"width=device-width\"><title>Snapshots</title><style>") +
         kStyle + "</style></head><body>\n<h1>Snapshots</h1>\n<p>" + xml_text(summary(results)) + "</p>\n";
     std::vector<const LessonResult*> sorted;
     for (const LessonResult& result : results) { sorted.push_back(&result); }

@@ -1,12 +1,11 @@
 #include "app/snapshot/shots.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <stdexcept>
 
+#include "app/session/encoding/base64.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 
 namespace jw::snapshot {
@@ -15,25 +14,10 @@ namespace {
 
 constexpr std::size_t kLongest = 120;  // bytes: file systems allow 255, and endings are added
 
-bool is_plain(char c) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    return letter || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
-}
-
-std::string file_name(const std::string& text) {
-    std::string name;
-    for (const char c : text) {
-        if (c == ' ') {
-            name += '_';
-        } else if (is_plain(c) && !(name.empty() && c == '.')) {
-            name += c;
-        } else {
-            std::array<char, 8> escaped{};
-            std::snprintf(escaped.data(), escaped.size(), "%%%02X", static_cast<unsigned char>(c));
-            name += escaped.data();
-        }
-    }
-    return name.substr(0, kLongest);
+std::string file_name(std::string text) {
+    std::ranges::replace(text, ' ', '_');
+    const std::string name = percent_encoded(text, "-_.");
+    return (name.starts_with('.') ? "%2E" + name.substr(1) : name).substr(0, kLongest);
 }
 
 std::string subject_of_shot(const Lesson& lesson, const Step& step) {

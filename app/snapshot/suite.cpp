@@ -1,7 +1,6 @@
 #include "app/snapshot/suite.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -23,8 +22,7 @@ void add(std::vector<SuiteLesson>& suite, const fs::path& file, const fs::path& 
     if (std::ranges::any_of(plain, [](const fs::path& part) { return part == "." || part == ".."; })) {
         throw std::runtime_error(
             "'" + file.string() +
-            "' cannot give a folder of snapshots its name; expected a file with a name "
-            "before .toml");
+            "' cannot give a folder of snapshots its name; expected a file with a name before .toml");
     }
     const std::string text = plain.generic_string();
     const auto other = std::ranges::find(suite, text, &SuiteLesson::name);

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/check/check_texts.hpp"
+#include "app/commands/check/check_report.hpp"
 #include "app/panels/parts/characters.hpp"
 #include "app/session/wording/messages.hpp"
 #include "lessons/diagnostics/read_text.hpp"

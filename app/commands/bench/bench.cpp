@@ -6,11 +6,9 @@
 
 #include "app/commands/bench/bench.hpp"
 #include "app/commands/options/dynamics_options.hpp"
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/options/size_option.hpp"
+#include "app/commands/options/shared_options.hpp"
 #include "app/commands/plot_picture.hpp"
-#include "app/commands/program/commands.hpp"
-#include "app/commands/program/outputs.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/panels/plot/comparison.hpp"
 #include "app/session/benchmark/prices.hpp"
 #include "app/session/output/export.hpp"
@@ -195,9 +193,8 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
     if (!options.picture.empty()) { check_output("--picture", options.picture, read_with(files)); }
     Json scenes = Json::array();
     if (options.format == "csv") {
-        streams.out
-            << "scene,method,setting,cpu_ms,position_m,velocity_m_per_s,energy,constraint,evaluations,"
-               "steps,rejected\n";
+        streams.out << "scene,method,setting,cpu_ms,position_m,velocity_m_per_s,energy,constraint,"
+                       "evaluations,steps,rejected\n";
     }
     for (const std::filesystem::path& file : files) {
         const SceneResult result = bench_scene(file, plan, streams);
@@ -222,45 +219,44 @@ Exit bench_command(const BenchOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("bench", "compare methods by time and error");
-    auto options = std::make_shared<BenchOptions>();
+void add_bench(const CommandLine& line) {
+    auto [command, options] = add_command<BenchOptions>(
+        line, "bench", "compare methods by time and error", bench_command,
+        "Example: jointwise bench andrews --method explicit-8 --picture andrews.png");
     add_value(
-        *command, "SCENE", options->scenes, "",
+        command, "SCENE", options.scenes, "",
         "lesson files or names of shipped scenes; default: all shipped scenes");
     CLI::Option* method =
         add_value(
-            *command, "--method", options->methods, "NAME",
+            command, "--method", options.methods, "NAME",
             "one or several methods; default: explicit-5, explicit-8, implicit-5, implicit-9")
             ->check(CLI::IsMember(names_of(kMethods)));
     CLI::Option* treatment =
-        add_value(*command, "--treatment", options->treatment, "NAME", "treatment of the constraints")
+        add_value(command, "--treatment", options.treatment, "NAME", "treatment of the constraints")
             ->check(CLI::IsMember(names_of(kTreatments)));
     CLI::Option* coordinates =
         add_value(
-            *command, "--coordinates", options->coordinates, "NAME",
+            command, "--coordinates", options.coordinates, "NAME",
             "coordinates of explicit methods: joints or bodies; default: joints where they are faster")
             ->check(CLI::IsMember(names_of(kFormulations)));
-    CLI::Option* picture = add_value(
-        *command, "--picture", options->picture, "FILE", "work-precision plot as PNG, for one scene");
-    CLI::Option* kinematics = command->add_flag(
-        "--kinematics", options->kinematics,
+    CLI::Option* picture =
+        add_value(command, "--picture", options.picture, "FILE", "work-precision plot as PNG, for one scene");
+    CLI::Option* kinematics = command.add_flag(
+        "--kinematics", options.kinematics,
         "benchmark the kinematics instead: position, velocity and acceleration of driven lessons in every "
         "choice of coordinates and rows");
-    CLI::Option* drawing = command->add_flag(
-        "--render", options->render,
+    CLI::Option* drawing = command.add_flag(
+        "--render", options.render,
         "measure the time of each stage of a picture of the motion, beside a plain loop with "
         "stb_image_write");
-    add_value(*command, "--size", options->size, "WxH", "size in pixels of the pictures of --render")
+    add_value(command, "--size", options.size, "WxH", "size in pixels of the pictures of --render")
         ->capture_default_str()
         ->needs(drawing);
     for (CLI::Option* other : {kinematics, drawing}) {
         other->excludes(method, treatment, coordinates, picture);
     }
     kinematics->excludes(drawing);
-    add_format_option(*command, options->format, {"table", "csv", "json"});
-    command->footer("Example: jointwise bench andrews --method explicit-8 --picture andrews.png");
-    sets_run(*command, run, streams, options, bench_command);
+    add_format_option(command, options.format, {"table", "csv", "json"});
 }
 
 }  // namespace jw

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/options/size_option.hpp"
+#include "app/commands/options/shared_options.hpp"
 #include "app/commands/program/command.hpp"
 
 /// The parts of `jointwise bench` that measure something other than dynamics.

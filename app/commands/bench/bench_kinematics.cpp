@@ -1,6 +1,5 @@
 #include "app/commands/bench/bench.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "app/session/benchmark/kinematics_bench.hpp"
@@ -77,9 +76,8 @@ Exit bench_kinematics(
     const std::vector<std::string>& scenes, const std::string& format, const Streams& streams) {
     Json all = Json::array();
     if (format == "csv") {
-        streams.out
-            << "scene,coordinates,rows,us_per_moment,newton_iterations,position,velocity,acceleration,"
-               "missed\n";
+        streams.out << "scene,coordinates,rows,us_per_moment,newton_iterations,position,velocity,"
+                       "acceleration,missed\n";
     }
     for (const std::filesystem::path& file : driven_files_of(scenes)) {
         const auto scene = bench_kinematics(lesson_of(file, streams), file.stem().string());

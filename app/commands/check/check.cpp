@@ -4,10 +4,8 @@
 #include <iterator>
 
 #include "app/commands/check/check_report.hpp"
-#include "app/commands/check/check_texts.hpp"
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/exercises/check_exercise.hpp"
 #include "app/session/claims/checks.hpp"
 #include "app/session/try/trials.hpp"
@@ -164,21 +162,22 @@ private:
     Exit exit_ = Exit::done;
 };
 
+Exit check_command(const CheckOptions& options, const Streams& streams) {
+    return Checker(options, streams).check_all();
+}
+
 }  // namespace
 
-void add_check(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("check", "prove the claims ([[expect]]) of lessons");
-    auto options = std::make_shared<CheckOptions>();
-    add_value(*command, "FILE", options->paths, "", "lesson files, or folders: all lessons below them")
+void add_check(const CommandLine& line) {
+    auto [command, options] = add_command<CheckOptions>(
+        line, "check", "prove the claims ([[expect]]) of lessons", check_command,
+        "Example: jointwise check lessons/catalogue/loops");
+    add_value(command, "FILE", options.paths, "", "lesson files, or folders: all lessons below them")
         ->required();
-    add_try_option(*command, options->experiments);
-    command->add_flag("--quiet", options->style.quiet, "show only claims that fail");
-    command->add_flag("--require-claims", options->style.require_claims, "fail if a lesson has no claims");
-    add_format_option(*command, options->format, {"text", "json", "junit"});
-    command->footer("Example: jointwise check lessons/catalogue/loops");
-    command->callback([options, &streams, &run] {
-        run = [options, &streams] { return Checker(*options, streams).check_all(); };
-    });
+    add_try_option(command, options.experiments);
+    command.add_flag("--quiet", options.style.quiet, "show only claims that fail");
+    command.add_flag("--require-claims", options.style.require_claims, "fail if a lesson has no claims");
+    add_format_option(command, options.format, {"text", "json", "junit"});
 }
 
 }  // namespace jw

@@ -6,6 +6,7 @@
 
 #include "app/session/claims/checks.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
+#include "lessons/diagnostics/read_text.hpp"
 
 /// Results of `jointwise check` and their forms: text, JSON, JUnit.
 namespace jw {
@@ -38,5 +39,8 @@ void write_json(
     const std::vector<CheckedLesson>& lessons, const CheckStyle& style, int exit_status, std::ostream& out);
 /// One testsuite per lesson, one testcase per claim.
 void write_junit(const std::vector<CheckedLesson>& lessons, const CheckStyle& style, std::ostream& out);
+
+/// Warnings about the texts of a file: texts missing in a language, and characters that no font has.
+std::vector<Diagnostic> warnings_about_texts(const std::string& file, const std::vector<ReadText>& texts);
 
 }  // namespace jw

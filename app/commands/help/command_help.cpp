@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/commands/program/add_command.hpp"
+
 namespace jw {
 
 namespace {
@@ -14,7 +16,7 @@ std::vector<std::string> words_in_braces(const std::string& type) {
     return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
-OptionHelp help_of(const CLI::Option& option) {
+OptionHelp option_help(const CLI::Option& option) {
     OptionHelp help;
     for (const std::string& name : option.get_snames()) { help.names.push_back("-" + name); }
     for (const std::string& name : option.get_lnames()) { help.names.push_back("--" + name); }
@@ -35,7 +37,7 @@ CommandHelp help_of_command(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
         if (option->get_group().empty()) { continue; }  // hidden option
         const bool positional = option->get_snames().empty() && option->get_lnames().empty();
-        (positional ? help.positionals : help.options).push_back(help_of(*option));
+        (positional ? help.positionals : help.options).push_back(option_help(*option));
     }
     return help;
 }
@@ -52,12 +54,44 @@ void add_commands(const CLI::App& app, const std::string& before, std::vector<Co
     }
 }
 
+struct HelpOptions {
+    const CLI::App* app = nullptr;  ///< the program
+    std::string shell;
+};
+
+Exit write_completion(const HelpOptions& options, const Streams& streams) {
+    streams.out << completion_for(help_of(*options.app), options.shell);
+    return Exit::done;
+}
+
+Exit write_manual(const HelpOptions& options, const Streams& streams) {
+    streams.out << manual_page(help_of(*options.app), JW_VERSION);
+    return Exit::done;
+}
+
 }  // namespace
 
 ProgramHelp help_of(const CLI::App& app) {
     ProgramHelp help{help_of_command(app), {}};
     add_commands(app, "", help.commands);
     return help;
+}
+
+void add_completion(const CommandLine& line) {
+    auto [command, options] = add_command<HelpOptions>(
+        line, "completion", "write the script that completes command lines in a shell", write_completion,
+        "Example: jointwise completion bash > ~/.local/share/bash-completion/completions/jointwise");
+    options.app = &line.app;
+    add_value(command, "SHELL", options.shell, "", "bash, zsh or fish")
+        ->required()
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+}
+
+void add_manual(const CommandLine& line) {
+    add_command<HelpOptions>(
+        line, "manual", "write the manual page, for man", write_manual,
+        "Example: jointwise manual > jointwise.1 && man ./jointwise.1")
+        .options.app = &line.app;
 }
 
 }  // namespace jw

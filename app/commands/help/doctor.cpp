@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/files/catalogue.hpp"
 #include "lessons/read/reader.hpp"
@@ -35,11 +35,6 @@ const char* word_for(Outcome state) {
 
 const char* word_for(render::FontSource::State state) {
     using State = render::FontSource::State;
-    return state == State::right ? "right" : state == State::missing ? "missing" : "damaged";
-}
-
-const char* word_for(LessonsReport::State state) {
-    using State = LessonsReport::State;
     return state == State::right ? "right" : state == State::missing ? "missing" : "damaged";
 }
 
@@ -118,6 +113,16 @@ std::string describe(const LessonsReport& lessons) {
     return std::to_string(lessons.count) + " in " + lessons.folder.string();
 }
 
+/// Describes missing optional parts.
+std::string wishes_of(const Diagnosis& diagnosis) {
+    std::string text;
+    for (const render::FontSource& font : diagnosis.fonts) {
+        if (!font.optional || font.problem.empty()) { continue; }
+        text += "; texts in Chinese need more:\n  apt-get install " + font.package;
+    }
+    return text;
+}
+
 /// True if nothing is missing and nothing draws wrong: at most, parts are damaged.
 bool only_damaged(const Diagnosis& diagnosis) {
     const auto fits = [](Outcome state) {
@@ -132,9 +137,14 @@ bool only_damaged(const Diagnosis& diagnosis) {
            diagnosis.lessons.state != LessonsReport::State::missing;
 }
 
-Exit doctor(const std::string& format, const SurfaceDoctor& doctor_window, const Streams& streams) {
-    const Diagnosis diagnosis = diagnose(doctor_window);
-    if (format == "json") {
+struct DoctorOptions {
+    std::string format;
+    SurfaceDoctor window;
+};
+
+Exit doctor(const DoctorOptions& options, const Streams& streams) {
+    const Diagnosis diagnosis = diagnose(options.window);
+    if (options.format == "json") {
         streams.out << json_document(json_of(diagnosis));
     } else {
         streams.out << describe(diagnosis);
@@ -195,20 +205,6 @@ Exit exit_of(const Diagnosis& diagnosis) {
         any(Outcome::missing) || any(Outcome::damaged) || no_font || !diagnosis.lessons.problem.empty();
     return bad ? Exit::bad_input : Exit::done;
 }
-
-namespace {
-
-/// Describes missing optional parts.
-std::string wishes_of(const Diagnosis& diagnosis) {
-    std::string text;
-    for (const render::FontSource& font : diagnosis.fonts) {
-        if (!font.optional || font.problem.empty()) { continue; }
-        text += "; texts in Chinese need more:\n  apt-get install " + font.package;
-    }
-    return text;
-}
-
-}  // namespace
 
 std::string verdict_of(const Diagnosis& diagnosis) {
     if (exit_of(diagnosis) == Exit::done) { return "everything needed is there" + wishes_of(diagnosis); }
@@ -291,15 +287,12 @@ Json json_of(const Diagnosis& diagnosis) {
         {"versions", versions_json}};
 }
 
-void add_doctor(CLI::App& app, const Streams& streams, Run& run, const SurfaceDoctor& doctor_window) {
-    CLI::App* command =
-        app.add_subcommand("doctor", "check that pictures, windows and fonts work on this machine");
-    auto format = std::make_shared<std::string>();
-    add_format_option(*command, *format, {"text", "json"});
-    command->footer("Example: jointwise doctor");
-    command->callback([format, doctor_window, &streams, &run] {
-        run = [format, doctor_window, &streams] { return doctor(*format, doctor_window, streams); };
-    });
+void add_doctor(const CommandLine& line, const SurfaceDoctor& doctor_window) {
+    auto [command, options] = add_command<DoctorOptions>(
+        line, "doctor", "check that pictures, windows and fonts work on this machine", doctor,
+        "Example: jointwise doctor");
+    options.window = doctor_window;
+    add_format_option(command, options.format, {"text", "json"});
 }
 
 }  // namespace jw

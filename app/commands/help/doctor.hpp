@@ -15,8 +15,8 @@ namespace jw {
 
 /// The lessons that the program offers.
 struct LessonsReport {
-    enum class State { right, missing, damaged };
-    State state = State::right;
+    using State = SurfaceReport::State;
+    State state = State::right;    ///< or missing, or damaged
     std::filesystem::path folder;  ///< empty if it was not looked for
     int count = 0;                 ///< of lessons that can be read
     std::string problem;           ///< empty if there is none

@@ -1,10 +1,8 @@
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <sstream>
 
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/output/json.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/explanations/explanations.hpp"
@@ -178,13 +176,12 @@ Exit explain(const ExplainOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_explain(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("explain", "show cause and cure of a diagnostic, by its code");
-    auto options = std::make_shared<ExplainOptions>();
-    add_value(*command, "CODE", options->code, "", "code as JW301, jw301 or 301; without it, all are listed");
-    add_format_option(*command, options->format, {"text", "markdown", "json"});
-    command->footer("Example: jointwise explain JW301");
-    sets_run(*command, run, streams, options, explain);
+void add_explain(const CommandLine& line) {
+    auto [command, options] = add_command<ExplainOptions>(
+        line, "explain", "show cause and cure of a diagnostic, by its code", explain,
+        "Example: jointwise explain JW301");
+    add_value(command, "CODE", options.code, "", "code as JW301, jw301 or 301; without it, all are listed");
+    add_format_option(command, options.format, {"text", "markdown", "json"});
 }
 
 }  // namespace jw

@@ -1,5 +1,3 @@
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <optional>
 #include <ostream>
@@ -7,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/options/format_option.hpp"
-#include "app/commands/program/commands.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/text_table.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
@@ -33,8 +31,7 @@ constexpr const char* kHeadOfKeys =
     "Every table of a lesson file with all its keys. `[table]` stands once, `[[table]]` once for each "
     "entry.\n"
     "[writing-a-lesson.md](writing-a-lesson.md) says how the tables work together. A text for people may "
-    "stand "
-    "again in\n"
+    "stand again in\n"
     "another language: in a table that is named by the tag of that language, as `[joint.zh-Hant]`.\n";
 
 /// A key with all its spellings.
@@ -247,14 +244,13 @@ Exit show_keys(const KeysOptions& options, const Streams& streams) {
 
 }  // namespace
 
-void add_keys(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("keys", "show the keys of a lesson's tables, with their values");
-    auto options = std::make_shared<KeysOptions>();
+void add_keys(const CommandLine& line) {
+    auto [command, options] = add_command<KeysOptions>(
+        line, "keys", "show the keys of a lesson's tables, with their values", show_keys,
+        "Example: jointwise keys joint");
     add_value(
-        *command, "TABLE", options->table, "", "table as joint or body.shape; without it, all are listed");
-    add_format_option(*command, options->format, {"text", "markdown", "json"});
-    command->footer("Example: jointwise keys joint");
-    sets_run(*command, run, streams, options, show_keys);
+        command, "TABLE", options.table, "", "table as joint or body.shape; without it, all are listed");
+    add_format_option(command, options.format, {"text", "markdown", "json"});
 }
 
 }  // namespace jw

@@ -1,6 +1,4 @@
-#include <CLI/CLI.hpp>
-
-#include "app/commands/program/commands.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/output/json.hpp"
 #include "lessons/format/key.hpp"
 #include "lessons/typed/typed.hpp"
@@ -116,8 +114,10 @@ Json table_of(const KeyTable& table) {
     return out;
 }
 
+struct SchemaOptions {};
+
 /// JSON Schema of lesson files, for editors: docs/lesson.schema.json.
-void write_lesson_schema(std::ostream& out) {
+Exit write_schema(const SchemaOptions& /*options*/, const Streams& streams) {
     const std::span<const KeyTable> tables = key_tables();
     Json schema{
         {"$schema", kDraft},
@@ -128,20 +128,16 @@ void write_lesson_schema(std::ostream& out) {
     definitions["number"] = {{"type", "number"}, {"minimum", -kLargestNumber}, {"maximum", kLargestNumber}};
     definitions["vector"] = list_of(definition("number"), 3, 3);
     for (const KeyTable& table : tables.subspan(1)) { definitions[table.name] = table_of(table); }
-    out << json_document(schema);
+    streams.out << json_document(schema);
+    return Exit::done;
 }
 
 }  // namespace
 
-void add_schema(CLI::App& app, const Streams& streams, Run& run) {
-    CLI::App* command = app.add_subcommand("schema", "write the JSON Schema of lesson files, for editors");
-    command->footer("Example: jointwise schema > lesson.schema.json");
-    command->callback([&streams, &run] {
-        run = [&streams] {
-            write_lesson_schema(streams.out);
-            return Exit::done;
-        };
-    });
+void add_schema(const CommandLine& line) {
+    add_command<SchemaOptions>(
+        line, "schema", "write the JSON Schema of lesson files, for editors", write_schema,
+        "Example: jointwise schema > lesson.schema.json");
 }
 
 }  // namespace jw

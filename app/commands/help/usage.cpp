@@ -79,11 +79,10 @@ std::vector<std::string> option_names(const CLI::App& command) {
     return names;
 }
 
+using Fault = std::optional<std::string>;
+
 /// "--method: foo not in {euler,rk4}"
-std::optional<std::string> choice_fault(const std::string& theirs) {
-    static const std::regex form("(.*): (.*) not in \\{(.*)\\}");
-    std::smatch match;
-    if (!std::regex_match(theirs, match, form)) { return std::nullopt; }
+Fault choice_fault(const CLI::App& /*command*/, const std::smatch& match) {
     std::vector<std::string> words;
     std::istringstream list(match[3]);
     for (std::string word; std::getline(list, word, ',');) { words.push_back(word); }
@@ -93,34 +92,40 @@ std::optional<std::string> choice_fault(const std::string& theirs) {
 }
 
 /// "Could not convert: --samples = 1e99"
-std::optional<std::string> number_fault(const CLI::App& command, const std::string& theirs) {
-    static const std::regex form("Could not convert: (\\S*) = (.*)");
-    std::smatch match;
-    if (!std::regex_match(theirs, match, form)) { return std::nullopt; }
+Fault number_fault(const CLI::App& command, const std::smatch& match) {
     const CLI::Option* const option = option_named(command, match[1]);
-    if (option == nullptr) { return std::nullopt; }
-    return no_number(*option, match[2]);
+    return option == nullptr ? Fault() : no_number(*option, match[2]);
+}
+
+/// 0.750000 becomes 0.75
+std::string without_zeros(const std::string& text) {
+    static const std::regex form("(\\d+\\.\\d*?)0+(?=\\D|$)");
+    static const std::regex point("(\\d+)\\.(?=\\D|$)");
+    return std::regex_replace(std::regex_replace(text, form, "$1"), point, "$1");
+}
+
+/// "--text: Value 1e9 not in range 0.750000 to 1.500000"
+Fault range_fault(const CLI::App& command, const std::smatch& match) {
+    const CLI::Option* const option = option_named(command, match[1]);
+    if (option != nullptr && !is_number(match[2])) { return no_number(*option, match[2]); }
+    return match[1].str() + ' ' + match[2].str() + " is out of range; expected " +
+           without_zeros(match[3].str()) + " to " + without_zeros(match[4].str());
 }
 
 /// "The following arguments were not expected: a b"
-std::optional<std::string> extra_fault(const CLI::App& command, const std::string& theirs) {
-    static const std::regex form("The following arguments? (?:was|were) not expected: ([^]*)");
-    std::smatch match;
-    if (!std::regex_match(theirs, match, form)) { return std::nullopt; }
+Fault extra_fault(const CLI::App& command, const std::smatch& match) {
     // an unknown option also causes the errors in the words around it
     static const std::regex option("(?:^| )(--[^ =]+)");
     const std::string extra = match[1];
-    if (!std::regex_search(extra, match, option)) { return in_quotes(extra) + " was not expected"; }
-    const std::string name = match[1];
+    std::smatch named;
+    if (!std::regex_search(extra, named, option)) { return in_quotes(extra) + " was not expected"; }
+    const std::string name = named[1];
     const std::string hint = did_you_mean(name, option_names(command));
     return "there is no option " + in_quotes(name) + (hint.empty() ? "" : "; " + hint);
 }
 
 /// "--format excludes ": the parser does not name hidden options
-std::optional<std::string> excludes_fault(const CLI::App& command, const std::string& theirs) {
-    static const std::regex form("(.*) excludes (.*)");
-    std::smatch match;
-    if (!std::regex_match(theirs, match, form)) { return std::nullopt; }
+Fault excludes_fault(const CLI::App& command, const std::smatch& match) {
     std::vector<std::string> hidden;
     for (const CLI::Option* option : command.get_options()) {
         const bool given = option->count() > 0 && option->get_group().empty();
@@ -134,32 +139,27 @@ std::optional<std::string> excludes_fault(const CLI::App& command, const std::st
     return one + " excludes " + named(match[2]);
 }
 
-/// 0.750000 becomes 0.75
-std::string without_zeros(const std::string& text) {
-    static const std::regex form("(\\d+\\.\\d*?)0+(?=\\D|$)");
-    static const std::regex point("(\\d+)\\.(?=\\D|$)");
-    return std::regex_replace(std::regex_replace(text, form, "$1"), point, "$1");
-}
+/// A form of the parser's sentences, and what is wrong in this program's words; nothing if it cannot be said.
+struct FaultForm {
+    const char* theirs;
+    Fault (*ours)(const CLI::App& command, const std::smatch& match);
+};
 
-/// "--text: Value 1e9 not in range 0.750000 to 1.500000"
-std::optional<std::string> range_fault(const CLI::App& command, const std::string& theirs) {
-    static const std::regex form("(\\S*): Value (.*) not in range (.*) to (.*)");
-    std::smatch match;
-    if (!std::regex_match(theirs, match, form)) { return std::nullopt; }
-    const CLI::Option* const option = option_named(command, match[1]);
-    if (option != nullptr && !is_number(match[2])) { return no_number(*option, match[2]); }
-    return match[1].str() + ' ' + match[2].str() + " is out of range; expected " +
-           without_zeros(match[3].str()) + " to " + without_zeros(match[4].str());
-}
+constexpr std::array kFaultForms{
+    FaultForm{"(.*): (.*) not in \\{(.*)\\}", choice_fault},
+    FaultForm{"Could not convert: (\\S*) = (.*)", number_fault},
+    FaultForm{"(\\S*): Value (.*) not in range (.*) to (.*)", range_fault},
+    FaultForm{"The following arguments? (?:was|were) not expected: ([^]*)", extra_fault},
+    FaultForm{"(.*) excludes (.*)", excludes_fault}};
 
 }  // namespace
 
 std::string usage_fault(const CLI::App& command, const CLI::Error& error) {
     const std::string theirs = error.what();
-    for (const auto& fault :
-         {choice_fault(theirs), number_fault(command, theirs), range_fault(command, theirs),
-          extra_fault(command, theirs), excludes_fault(command, theirs)}) {
-        if (fault) { return *fault; }
+    for (const FaultForm& form : kFaultForms) {
+        std::smatch match;
+        if (!std::regex_match(theirs, match, std::regex(form.theirs))) { continue; }
+        if (const Fault fault = form.ours(command, match)) { return *fault; }
     }
     for (const Wording& wording : kWordings) {
         const std::regex form(wording.theirs);

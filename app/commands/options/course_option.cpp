@@ -1,7 +1,6 @@
 #include "app/commands/options/course_option.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "app/session/wording/shown_lesson.hpp"
 #include "lessons/exercise/read_exercises.hpp"
@@ -32,6 +31,12 @@ CourseKey key_of(const std::string& file) {
     CourseKey key = read_course_key(file);
     if (!key.problem.empty()) { throw CommandError(Exit::bad_input, key.problem); }
     return key;
+}
+
+ReadyCourse ready_or_refused(const CourseKey& key, const ExerciseSet& set) {
+    ReadyCourse course = ready_course(key.secret, set.exercises);
+    if (!course.problem.empty()) { throw bad_input("no variants can be drawn:\n" + course.problem); }
+    return course;
 }
 
 }  // namespace jw

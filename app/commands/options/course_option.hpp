@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/commands/program/command.hpp"
+#include "app/exercises/grading/grade.hpp"
 #include "lessons/exercise/handed_in.hpp"
 #include "lessons/lesson/exercise.hpp"
 
@@ -19,5 +20,8 @@ ExerciseSet exercises_of(const std::vector<std::string>& files);
 
 /// The key of a course. @throws CommandError (bad_input) with all mistakes
 CourseKey key_of(const std::string& file);
+
+/// The exercises with the secret of the key. @throws CommandError (bad_input) if no variants can be drawn
+ReadyCourse ready_or_refused(const CourseKey& key, const ExerciseSet& set);
 
 }  // namespace jw

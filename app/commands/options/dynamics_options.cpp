@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/program/commands.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "core/motion/tolerances.hpp"
 #include "lessons/lesson/enum_words.hpp"
 
@@ -47,8 +47,8 @@ void add_dynamics_options(CLI::App& command, DynamicsOptions& options) {
     add_value(
         command, "--coordinates", options.coordinates, "NAME",
         "joints: coordinates of a tree of joints; bodies: r, p, ω' of every body, block-sparse; rp, "
-        "rp-modified, omega-local, omega-global: the dense equations of the slides; default: joints "
-        "where they are faster")
+        "rp-modified, omega-local, omega-global: the dense equations of the slides; default: joints where "
+        "they are faster")
         ->check(CLI::IsMember(coordinate_names()));
     add_value(
         command, "--tolerance", options.tolerance, "X", "allowed error of a step, for adaptive methods");

@@ -12,14 +12,6 @@ class App;
 /// Options of all commands that integrate.
 namespace jw {
 
-/// Names in a table of methods, treatments or formulations.
-template <class Table>
-std::vector<std::string> names_of(const Table& table) {
-    std::vector<std::string> names;
-    for (const auto& entry : table) { names.emplace_back(entry.name); }
-    return names;
-}
-
 struct DynamicsOptions {
     std::string method;       ///< empty: the lesson's
     std::string treatment;    ///< empty: the lesson's

@@ -5,9 +5,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "app/commands/options/experiment_option.hpp"
-#include "app/commands/program/commands.hpp"
-#include "app/commands/program/outputs.hpp"
+#include "app/commands/options/shared_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/film/film_steps.hpp"
 
 namespace jw {
@@ -43,12 +42,8 @@ void check_film(const RenderOptions& options, film::FilmFormat format) {
     if (film::needs_ffmpeg(format)) {
         check_output("--out", film::captions_file(options.out), {options.file});
     }
-    const film::FilmSettings settings{
-        options.out, format, options.fps, options.loop ? render::Repeat::without_end : render::Repeat::once,
-        !options.transparent};
-    if (const std::string problem = film::problem_of_format(settings); !problem.empty()) {
-        throw wrong(problem);
-    }
+    const std::string problem = film::problem_of_format(options.settings());
+    if (!problem.empty()) { throw wrong(problem); }
 }
 
 void check_range(const RenderOptions& options) {
@@ -66,10 +61,14 @@ host::FrameLook RenderOptions::look() const {
     return {dark ? render::Tone::dark : render::Tone::light, text, !no_panel, !transparent};
 }
 
+film::FilmSettings RenderOptions::settings() const {
+    return {out, *format(), fps, loop ? render::Repeat::without_end : render::Repeat::once, !transparent};
+}
+
 CheckedRender checked(const RenderOptions& options) {
     CheckedRender result;
-    result.size = size_option_either_way(
-        options.size, options.no_panel ? kSmallestPicture : kSmallestFrame, kLargestFrame);
+    result.size =
+        size_option(options.size, options.no_panel ? kSmallestPicture : kSmallestFrame, kLargestFrame, true);
     if (!std::isfinite(options.fps)) { throw bad_input("--fps is not finite; expected 0.1 to 240"); }
     const std::string problem = film::problem_of_look(result.size.width, result.size.height, options.look());
     if (!problem.empty()) { throw wrong(problem); }
@@ -94,8 +93,8 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
     add_lesson_options(command, options.file, options.experiments);
     add_value(
         command, "--out", options.out, "PATH",
-        "a film (.gif, .apng; .mp4, .webm with ffmpeg), a page (.html), or a folder for pictures, "
-        "created if needed")
+        "a film (.gif, .apng; .mp4, .webm with ffmpeg), a page (.html), or a folder for pictures, created if "
+        "needed")
         ->required();
     add_value(command, "--size", options.size, "WxH", "size in pixels")->capture_default_str();
     add_value(command, "--fps", options.fps, "X", "pictures per second of motion")

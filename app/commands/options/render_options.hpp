@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/options/size_option.hpp"
+#include "app/commands/options/shared_options.hpp"
 #include "app/commands/program/command.hpp"
 #include "app/film/film_file.hpp"
 #include "app/film/processes.hpp"
@@ -41,6 +41,8 @@ struct RenderOptions {
     /// Format of the film that --out names; nothing for a folder.
     std::optional<film::FilmFormat> format() const { return film::format_of(out); }
     host::FrameLook look() const;
+    /// Settings of the film; only if there is a format.
+    film::FilmSettings settings() const;
 };
 
 void add_render_options(CLI::App& command, RenderOptions& options);

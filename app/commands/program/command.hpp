@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/kinematics/proof/proof_record.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
 #include "lessons/lesson/lesson.hpp"
 
@@ -48,6 +49,21 @@ CommandError bad_input(const std::string& message, const std::string& hint = {})
 /// Error in an option of a command, with a hint at its help.
 CommandError bad_option(const std::string& command, const std::string& message);
 
+/// Names of things, or of the entries of a table.
+template <class Things>
+std::vector<std::string> names_of(const Things& things) {
+    std::vector<std::string> names;
+    for (const auto& thing : things) { names.emplace_back(thing.name); }
+    return names;
+}
+
+/// Place of a name in a list. @throws CommandError (bad_input): `fault`, the names, and a similar one
+std::size_t place_in(
+    const std::vector<std::string>& names, const std::string& name, const std::string& fault);
+
+/// Makes a folder with those that it lies in. @throws CommandError (bad_input)
+void make_folder(const std::filesystem::path& folder);
+
 /// Streams that a command writes to; tests pass their own.
 struct Streams {
     std::ostream& out;
@@ -63,6 +79,22 @@ struct Streams {
 /// Reads the lesson in `path`; warnings go to `streams.err`.
 /// @throws FaultyFile with all diagnostics of the file; CommandError (bad_input) if `streams` go into it
 Lesson lesson_of(const std::filesystem::path& path, const Streams& streams);
+
+/// Checks an output before anything is computed: it must be writable, and must not be one of the files that
+/// are read, under any name, link or not. Fonts count, too, since everything that draws reads them.
+/// @param option  names the output
+/// @throws CommandError (bad_input) or std::runtime_error
+void check_output(
+    const std::string& option, const std::filesystem::path& output,
+    const std::vector<std::filesystem::path>& inputs);
+
+/// True if `path` is the regular file that standard output or standard error is redirected into.
+bool is_own_output(const std::filesystem::path& path);
+
+/// Writes a proof for docs/proofs/check_proof.py: JSON in one line. The last key `sha256` is the hash of the
+/// text before it, so that a damaged file can be told from a wrong proof.
+void write_proof(
+    const std::filesystem::path& file, const ProofRecord& proof, const System& system, const Lesson& lesson);
 
 /// Validator for CLI11's `check`: says what is wrong with a whole number below 0; empty if nothing is.
 std::string fault_of_step(const std::string& text);

@@ -3,14 +3,17 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <new>
 
 #include "app/commands/help/usage.hpp"
-#include "app/commands/options/program_options.hpp"
+#include "app/commands/program/add_command.hpp"
 #include "app/session/view/inspection.hpp"
+#include "app/session/wording/messages.hpp"
 #include "lessons/diagnostics/diagnostics.hpp"
+#include "render/surface/headless_context.hpp"
 
 namespace jw {
 
@@ -68,6 +71,64 @@ public:
     }
 };
 
+constexpr const char* kLanguageVariable = "JOINTWISE_LANGUAGE";
+constexpr const char* kSurfaceVariable = "JOINTWISE_SURFACE";
+
+/// The value of an option, else that of a variable, and which of them it comes from.
+struct Wanted {
+    std::string value;
+    std::string source;
+
+    Wanted(const std::string& typed, const char* option, const char* variable)
+        : value(typed), source(option) {
+        const char* const set = std::getenv(variable);
+        if (!typed.empty() || set == nullptr || *set == '\0') { return; }
+        value = set;
+        source = variable;
+    }
+};
+
+std::vector<std::string> language_tags() {
+    std::vector<std::string> tags;
+    for (const Language& language : languages()) { tags.emplace_back(language.tag); }
+    return tags;
+}
+
+/// Adds `--language TAG`, the language of the program's own sentences, and `--surface NAME`, the library that
+/// draws pictures without a window. Commands that are added later take them, too.
+void add_program_options(CLI::App& app, std::string& language, std::string& surface) {
+    app.fallthrough();
+    add_value(
+        app, "--language", language, "TAG",
+        "Language of the program's own sentences: " + comma_list(language_tags()) +
+            " (default: " + kLanguageVariable + ", else en)");
+    add_value(
+        app, "--surface", surface, "NAME",
+        std::string("Library that draws pictures without a window: osmesa or egl (default: ") +
+            kSurfaceVariable + ", else the one that is installed, osmesa first)");
+}
+
+/// Sets the language: from the option, else from JOINTWISE_LANGUAGE, else English.
+/// @throws CommandError (bad_input) that names the available languages
+void choose_language(const std::string& tag) {
+    const Wanted wanted(tag, "--language", kLanguageVariable);
+    if (set_language(wanted.value.empty() ? "en" : wanted.value)) { return; }
+    const std::vector<std::string> tags = language_tags();
+    throw bad_input(
+        wanted.source + ": no language " + in_quotes(wanted.value) + "; expected one of " + comma_list(tags),
+        did_you_mean(wanted.value, tags));
+}
+
+/// Sets the surface: from the option, else from JOINTWISE_SURFACE, else OSMesa, or EGL if there is no OSMesa.
+/// @throws CommandError (bad_input) that names the available ones
+void choose_surface(const std::string& name) {
+    const auto [wanted, source] = Wanted(name, "--surface", kSurfaceVariable);
+    if (wanted.empty()) { return render::choose_headless_surface(render::HeadlessSurface::automatic); }
+    if (wanted == "osmesa") { return render::choose_headless_surface(render::HeadlessSurface::osmesa); }
+    if (wanted == "egl") { return render::choose_headless_surface(render::HeadlessSurface::egl); }
+    throw bad_input(source + " '" + wanted + "'; expected osmesa or egl");
+}
+
 }  // namespace
 
 int run_commands(
@@ -88,7 +149,7 @@ int run_commands(
     std::string surface_name;
     add_program_options(app, language_tag, surface_name);
     Run run;
-    for (const AddCommand& add : commands) { add(app, streams, run); }
+    for (const AddCommand& add : commands) { add({app, streams, run}); }
     if (const std::string complaint = unknown_command(app, arguments); !complaint.empty()) {
         streams.err << complaint;
         return status(Exit::bad_input);

@@ -10,7 +10,7 @@
 namespace jw {
 
 /// Adds a command to the command line, like those of commands.hpp.
-using AddCommand = std::function<void(CLI::App& app, const Streams& streams, Run& run)>;
+using AddCommand = std::function<void(const CommandLine& line)>;
 
 /// Runs a program with these commands, in the order in which its help lists them; without a command, it runs
 /// `open`.

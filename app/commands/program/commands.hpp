@@ -1,8 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
-#include <string>
 
 #include "app/commands/program/command.hpp"
 #include "app/commands/program/surface.hpp"
@@ -11,52 +9,42 @@ namespace CLI {
 class App;
 }
 
-/// The commands of the program, one per file. Each adds its options to `app`, and sets `run` to its action if
-/// the command line names it.
+/// The commands of the program, one per file. Each adds itself with its options to a command line.
 namespace jw {
 
 using Run = std::function<Exit()>;
 
-/// Adds an option with a value, or an argument. @param type  what the help shows for the value
-template <class Command, class Value>
-auto* add_value(
-    Command& command, const std::string& name, Value& value, const std::string& type,
-    const std::string& help) {
-    return command.add_option(name, value, help)->type_name(type);
-}
+/// The command line that commands are added to.
+struct CommandLine {
+    CLI::App& app;
+    const Streams& streams;
+    Run& run;  ///< what the command that is named does
+};
 
-/// Makes a command carry out `what` with its options.
-template <class Command, class Options>
-void sets_run(
-    Command& command, Run& run, const Streams& streams, const std::shared_ptr<Options>& options,
-    Exit (*what)(const Options&, const Streams&)) {
-    command.callback([=, &run, &streams] { run = [=, &streams] { return what(*options, streams); }; });
-}
-
-void add_open(CLI::App& app, const Streams& streams, Run& run);
-void add_list(CLI::App& app, const Streams& streams, Run& run);
-void add_new(CLI::App& app, const Streams& streams, Run& run);
-void add_check(CLI::App& app, const Streams& streams, Run& run);
-void add_explain(CLI::App& app, const Streams& streams, Run& run);
-void add_sheet(CLI::App& app, const Streams& streams, Run& run);
-void add_grade(CLI::App& app, const Streams& streams, Run& run);
-void add_keys(CLI::App& app, const Streams& streams, Run& run);
-void add_schema(CLI::App& app, const Streams& streams, Run& run);
-void add_step(CLI::App& app, const Streams& streams, Run& run);
-void add_inspect(CLI::App& app, const Streams& streams, Run& run);
-void add_bench(CLI::App& app, const Streams& streams, Run& run);
-void add_simulate(CLI::App& app, const Streams& streams, Run& run);
-void add_rest(CLI::App& app, const Streams& streams, Run& run);
-void add_solve(CLI::App& app, const Streams& streams, Run& run);
-void add_try(CLI::App& app, const Streams& streams, Run& run);
-void add_newton(CLI::App& app, const Streams& streams, Run& run);
-void add_plot(CLI::App& app, const Streams& streams, Run& run);
-void add_render(CLI::App& app, const Streams& streams, Run& run);
-void add_export(CLI::App& app, const Streams& streams, Run& run);
-void add_site(CLI::App& app, const Streams& streams, Run& run);
-void add_snapshot(CLI::App& app, const Streams& streams, Run& run);
-void add_doctor(CLI::App& app, const Streams& streams, Run& run, const SurfaceDoctor& doctor_window);
-void add_completion(CLI::App& app, const Streams& streams, Run& run);
-void add_manual(CLI::App& app, const Streams& streams, Run& run);
+void add_open(const CommandLine& line);
+void add_list(const CommandLine& line);
+void add_new(const CommandLine& line);
+void add_check(const CommandLine& line);
+void add_explain(const CommandLine& line);
+void add_sheet(const CommandLine& line);
+void add_grade(const CommandLine& line);
+void add_keys(const CommandLine& line);
+void add_schema(const CommandLine& line);
+void add_step(const CommandLine& line);
+void add_inspect(const CommandLine& line);
+void add_bench(const CommandLine& line);
+void add_simulate(const CommandLine& line);
+void add_rest(const CommandLine& line);
+void add_solve(const CommandLine& line);
+void add_try(const CommandLine& line);
+void add_newton(const CommandLine& line);
+void add_plot(const CommandLine& line);
+void add_render(const CommandLine& line);
+void add_export(const CommandLine& line);
+void add_site(const CommandLine& line);
+void add_snapshot(const CommandLine& line);
+void add_doctor(const CommandLine& line, const SurfaceDoctor& doctor_window);
+void add_completion(const CommandLine& line);
+void add_manual(const CommandLine& line);
 
 }  // namespace jw

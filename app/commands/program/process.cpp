@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include "app/commands/program/command_line.hpp"
-#include "app/commands/program/outputs.hpp"
 
 namespace jw {
 

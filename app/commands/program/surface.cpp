@@ -5,7 +5,6 @@
 #include <csignal>
 #include <cstdio>
 #include <span>
-#include <stdexcept>
 
 #include <dlfcn.h>
 #include <sys/wait.h>
@@ -120,8 +119,8 @@ bool blame_settings(SurfaceReport& report) {
     report.state = SurfaceReport::State::draws_wrong;
     report.problem = "drawing the test picture ends the program (signal " + std::to_string(signal) + ")";
     report.remedy =
-        "unset variables that begin with DRAW_, GALLIUM_, LP_ or MESA_; or another version of "
-        "the graphics driver (Mesa) may work";
+        "unset variables that begin with DRAW_, GALLIUM_, LP_ or MESA_; or another version of the graphics "
+        "driver (Mesa) may work";
     return true;
 }
 

@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/exercises/answers/spelt_answer.hpp"
-#include "app/exercises/answers/units.hpp"
+#include "app/exercises/answers/spelling.hpp"
 #include "app/session/wording/messages.hpp"
 #include "core/elementary/elementary.hpp"
 #include "core/numerics/decimal.hpp"

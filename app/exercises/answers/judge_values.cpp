@@ -87,8 +87,6 @@ std::optional<KnownMistake> mistake_in_two_terms(const Task& task, const MatrixX
     return unclear ? std::nullopt : std::optional<KnownMistake>(pairs.front());
 }
 
-std::string with_unit(const Asked& asked) { return asked.unit.empty() ? "" : " " + asked.unit; }
-
 /// Reports which entries are wrong; right ones earn a share of the points.
 void tell_entries(const Asked& asked, const MatrixX& given, Judged& judged) {
     int wrong = 0;
@@ -115,7 +113,7 @@ void tell_unknown(const std::string& apart, Judged& judged) {
 
 void tell_how_far(const Asked& asked, const MatrixX& given, Judged& judged) {
     const double apart = difference_from(asked.right, given, asked);
-    tell_unknown(number_text(apart, 3) + with_unit(asked), judged);
+    tell_unknown(number_text(apart, 3) + unit_behind(asked), judged);
     if (apart <= kRoundedEarly * asked.tolerance) {
         judged.feedback.emplace_back(tr("This is close. Was something rounded too early?"));
     }
@@ -129,7 +127,7 @@ void tell_mistake(const KnownMistake& mistake, const Asked& asked, const MatrixX
     judged.feedback.push_back(tr(mistake.says));
     if (!is_exact(asked)) {
         const std::string apart = number_text(difference_from(asked.right, given, asked), 3);
-        judged.feedback.push_back(tr("Off by {0}.", apart + with_unit(asked)));
+        judged.feedback.push_back(tr("Off by {0}.", apart + unit_behind(asked)));
     }
     if (!mistake.slide.empty()) {
         judged.feedback.push_back(tr("Look at {0}.", shown_slides(mistake.slide)));

@@ -1,4 +1,4 @@
-#include "app/exercises/formulas/alter.hpp"
+#include "app/exercises/formulas/alterations.hpp"
 
 #include <utility>
 

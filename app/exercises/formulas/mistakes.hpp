@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/exercises/formulas/alter.hpp"
+#include "app/exercises/formulas/alterations.hpp"
 #include "lessons/lesson/claims.hpp"
 #include "lessons/text/text.hpp"
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/exercises/grading/grade_reports.hpp"
+#include "app/exercises/grading/page_styles.hpp"
 #include "app/session/encoding/html_words.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -37,28 +38,6 @@ std::string lesson_section(const SlideLesson& lesson) {
     return html + "<p>" + markup_text(tr("In the program:")) + " <code>jointwise open lessons/catalogue/" +
            markup_text(name) + ".toml</code></p>\n";
 }
-
-constexpr const char* kStyle =
-    "body{font:16px/1.45 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#1d2733;"
-    "background:#fff}h1,h2{line-height:1.2}h2{margin-top:2.2rem;font-size:1.15rem}table{border-collapse:"
-    "collapse;"
-    "width:100%}td,th{padding:.25rem .6rem;text-align:left;border-bottom:1px solid "
-    "#dfe4ea}td.n,th.n{text-align:right;"
-    "font-variant-numeric:tabular-nums}.bar{display:flex;height:1.1rem;width:100%;background:#eef1f4}.bar "
-    "i{display:"
-    "block;height:100%}.right{background:#2f7d4f}.partly{background:#8fb99f}.wrong{background:#c4572c}.lost{"
-    "background:"
-    "#e0b04c}.missing{background:#c9d0d8}.key span{margin-right:1.2rem}.key "
-    "i{display:inline-block;width:.9rem;height:"
-    ".9rem;margin-right:.35rem;vertical-align:-.1rem}.hist{display:flex;align-items:flex-end;height:9rem;gap:"
-    "2px;"
-    "border-bottom:1px solid #7a8794}.hist "
-    "div{flex:1;background:#3d6ea5;position:relative;min-height:1px}.hist b{"
-    "position:absolute;bottom:100%;width:100%;text-align:center;font-size:.75rem;font-weight:400}.axis{"
-    "display:flex;"
-    "font-size:.8rem;gap:2px}.axis "
-    "span{flex:1;text-align:center}@media(prefers-color-scheme:dark){body{background:"
-    "#14191f;color:#e6ebf0}td,th{border-color:#333d47}a{color:#8fb8e6}}";
 
 constexpr int kBins = 10;
 
@@ -192,10 +171,9 @@ std::string class_report_html(
     const double mean = all > 0 ? sum / all : 0.0;
     std::string html =
         "<!doctype html>\n<html lang=\"" + std::string(language()) +
-        "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width\"><title>" +
-        markup_text(title) + "</title><style>" + kStyle + "</style></head><body>\n<h1>" + markup_text(title) +
-        "</h1>\n<p>" +
+        "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\"><title>" +
+        markup_text(title) + "</title><style>" + kClassStyle + "</style></head><body>\n<h1>" +
+        markup_text(title) + "</h1>\n<p>" +
         markup_text(tr_count(
             all, "{0} submission, {1} of {2} points.", "{0} submissions, {1} of {2} points on average.",
             number_text(mean, 3), number_text(points, 6))) +

@@ -4,6 +4,7 @@
 
 #include "app/exercises/run/safe_text.hpp"
 #include "app/session/encoding/junit.hpp"
+#include "app/session/output/export.hpp"
 #include "app/session/output/json.hpp"
 #include "app/session/wording/messages.hpp"
 #include "app/session/wording/numbers.hpp"
@@ -25,11 +26,7 @@ std::string in_a_line(const std::string& text) {
 std::string csv_field(const std::string& text) {
     // a spreadsheet would read these as formulas
     const bool formula = !text.empty() && std::string("=+-@\t").find(text.front()) != std::string::npos;
-    const std::string plain = formula ? "'" + text : text;
-    if (plain.find_first_of(",\"\n\r") == std::string::npos) { return plain; }
-    std::string quoted = "\"";
-    for (const char c : plain) { quoted += c == '"' ? std::string("\"\"") : std::string(1, c); }
-    return quoted + "\"";
+    return csv_cell(formula ? "'" + text : text);
 }
 
 std::string verdict_of(const ExerciseGrade& e) {

@@ -158,9 +158,7 @@ std::string solution_text(const SheetEntry& entry) {
         case ExerciseKind::build:
             return std::string(tr("Added joints:")) + "\n\n```\n" + exercise.solution + "```";
         case ExerciseKind::experiment: return list_in_toml(exercise.does);
-        default:
-            return written(entry.task.asked.right, 6) +
-                   (entry.task.asked.unit.empty() ? "" : " " + entry.task.asked.unit);
+        default: return written(entry.task.asked.right, 6) + unit_behind(entry.task.asked);
     }
 }
 

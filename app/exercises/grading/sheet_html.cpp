@@ -1,3 +1,4 @@
+#include "app/exercises/grading/page_styles.hpp"
 #include "app/exercises/grading/sheet.hpp"
 #include "app/session/encoding/base64.hpp"
 #include "app/session/encoding/html_words.hpp"
@@ -7,21 +8,6 @@
 namespace jw {
 
 namespace {
-
-constexpr const char* kSheetStyle =
-    "body{font:17px/1.5 Georgia,'DejaVu Serif',serif;max-width:46rem;margin:2rem auto;padding:0 "
-    "1rem;color:#1d2733;"
-    "background:#fff}h1,h2{font-family:system-ui,sans-serif;line-height:1.2}h2{margin:2.4rem 0 "
-    ".2rem;font-size:1.15rem}"
-    ".head{color:#5a6773;font:.85rem system-ui,sans-serif;margin:0 0 "
-    ".8rem}.given{display:flex;flex-wrap:wrap;gap:.6rem "
-    "1.6rem;margin:.8rem 0;align-items:center}figure{margin:1rem 0}img{max-width:100%;border:1px solid "
-    "#dfe4ea}"
-    ".hand{font:.9rem system-ui,sans-serif;color:#36424e}details{margin:.4rem "
-    "0;font-size:.95rem}.solution{border-left:"
-    "3px solid #2f7d4f;padding-left:1rem;margin-top:1rem}code{background:#eef1f4;padding:0 .25rem}@media "
-    "print{h2{break-"
-    "after:avoid}section{break-inside:avoid}details{display:none}}";
 
 std::string list_html(const std::vector<std::string>& items) {
     std::string html;
@@ -84,12 +70,12 @@ std::string hand_in_html(const SheetEntry& entry) {
 }  // namespace
 
 std::string sheet_html(const Sheet& sheet, bool solution) {
-    std::string html = "<!doctype html>\n<html lang=\"" + std::string(language()) +
-                       "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-                       "content=\"width=device-width\"><title>" +
-                       markup_text(sheet.title) + "</title><style>" + kSheetStyle +
-                       "</style></head><body>\n<h1>" + html_words(sheet.title) + "</h1>\n<p class=\"head\">" +
-                       markup_text(student_text(sheet, solution)) + "</p>\n";
+    std::string html =
+        "<!doctype html>\n<html lang=\"" + std::string(language()) +
+        "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\"><title>" +
+        markup_text(sheet.title) + "</title><style>" + kSheetStyle + "</style></head><body>\n<h1>" +
+        html_words(sheet.title) + "</h1>\n<p class=\"head\">" + markup_text(student_text(sheet, solution)) +
+        "</p>\n";
     for (const SheetEntry& entry : sheet.entries) {
         const Exercise& exercise = entry.task.exercise();
         html += "<section>\n<h2>" + entry.number + ". " + html_words(exercise.title) +

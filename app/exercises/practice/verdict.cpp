@@ -72,8 +72,7 @@ std::string solution_words(const Task& task) {
         case ExerciseKind::order: return written(task.asked.right);
         default: break;
     }
-    const std::string unit = task.asked.unit.empty() ? "" : " " + task.asked.unit;
-    const std::string value = "$" + value_latex(task.asked.right) + "$" + unit;
+    const std::string value = "$" + value_latex(task.asked.right) + "$" + unit_behind(task.asked);
     return task.asked.latex.empty() ? value : "$" + task.asked.latex + "$\n" + value;
 }
 

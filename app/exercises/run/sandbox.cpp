@@ -16,9 +16,7 @@
 
 #include "app/exercises/run/handles.hpp"
 #include "app/exercises/run/safe_text.hpp"
-#include "app/exercises/run/sandbox_child.hpp"
-#include "app/exercises/run/sandbox_usage.hpp"
-#include "app/exercises/run/system_calls.hpp"
+#include "app/exercises/run/sandbox_parts.hpp"
 
 namespace jw::exercises {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/exercises/run/sandbox_child.hpp"
+#include "app/exercises/run/sandbox_parts.hpp"
 
 #include <fcntl.h>
 #include <grp.h>

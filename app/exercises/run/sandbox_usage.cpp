@@ -1,4 +1,4 @@
-#include "app/exercises/run/sandbox_usage.hpp"
+#include "app/exercises/run/sandbox_parts.hpp"
 
 #include <array>
 #include <cctype>

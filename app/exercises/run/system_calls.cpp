@@ -1,4 +1,4 @@
-#include "app/exercises/run/system_calls.hpp"
+#include "app/exercises/run/sandbox_parts.hpp"
 
 #include <array>
 #include <cerrno>
