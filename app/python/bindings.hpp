@@ -16,6 +16,7 @@ void add_equations(py::module_& module);
 void add_evaluator(py::module_& module);
 void add_motion(py::module_& module);
 void add_measures(py::module_& module);
+void add_statics(py::module_& module);
 void add_lessons(py::module_& module);
 void add_pictures(py::module_& module);
 void add_films(py::module_& module);

@@ -14,6 +14,7 @@ PYBIND11_MODULE(_jointwise, module) {
     add_evaluator(module);
     add_motion(module);
     add_measures(module);
+    add_statics(module);
     add_lessons(module);
     add_pictures(module);
     add_films(module);

@@ -61,6 +61,22 @@ class Measures(unittest.TestCase):
         values = jw.Quantities(m, ["A.force.x", "A.force.z"]).at(jw.follow(m, [0.0, 0.1])[1])
         self.assertTrue(np.isfinite(values[0]) and np.isnan(values[1]))
 
+    def test_a_pendulum_rests_below_its_pin_and_swings_as_the_textbook_says(self):
+        m = pendulum(2.0)
+        rest = jw.find_equilibrium(m)
+        self.assertIs(rest.stable, True)
+        self.assertEqual((rest.freedoms, len(rest.small_motions)), (1, 1))
+        np.testing.assert_allclose(rest.moment.pose.r[1], [0, 0, -1], atol=1e-9)
+        swing = rest.small_motions[0]
+        inertia = 1e-3 + 2.0  # about the pin
+        self.assertAlmostEqual(swing.s.imag, np.sqrt(2.0 * 9.81 / inertia), places=7)
+        # its largest movement is 1: the bob moves by a metre where the rod turns by a radian
+        turn, way = swing.shape.omega_local[1][1], swing.shape.r_dot[1][0]
+        self.assertAlmostEqual(abs(turn), abs(way), places=9)
+        np.testing.assert_allclose(jw.reactions_at(m, rest.moment).reactions[0].force, [0, 0, 2 * 9.81], atol=1e-7)
+        self.assertIn("stable", repr(rest))
+        self.assertIs(jw.find_equilibrium(pendulum(3.0), nearest=True).stable, False)
+
 
 if __name__ == "__main__":
     unittest.main()
