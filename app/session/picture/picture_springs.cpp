@@ -24,10 +24,10 @@ constexpr double kPadDistance = 0.075;
 constexpr double kPadLength = 0.09;
 constexpr double kPadRadius = 0.02;
 constexpr render::Colour kRubber = render::from_hex(0x33383E);
-constexpr double kSleeveLength = 0.10;
-constexpr double kSleeveRadius = 0.05;
-constexpr double kSleevePin = 0.16;
-constexpr double kSleevePinRadius = 0.018;
+constexpr double kSleeveLength = 0.06;
+constexpr double kSleeveRadius = 0.03;
+constexpr double kSleevePin = 0.11;
+constexpr double kSleevePinRadius = 0.011;
 
 void add_wire(std::vector<Vec3> points, render::Scene& scene) {
     render::Polyline wire{std::move(points), kWireWidth, kWire};
