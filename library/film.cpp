@@ -98,7 +98,9 @@ int Film::pictures() const { return static_cast<int>(inside_->pictures.size()); 
 void Film::save(const std::filesystem::path& file, const std::function<bool()>& go_on) const {
     namespace film = jw::film;
     const std::optional<film::FilmFormat> format = film::format_of(file);
-    if (!format) { refuse("'" + file.string() + "' is no film; expected .gif, .apng, .mp4, .webm or .html"); }
+    if (!format) {
+        refuse("'" + file.string() + "' is not a film; expected .gif, .apng, .mp4, .webm or .html");
+    }
     const film::FilmSettings settings{
         file, *format, options_.fps,
         options_.loop ? jw::render::Repeat::without_end : jw::render::Repeat::once, !options_.transparent};

@@ -40,7 +40,8 @@ void check(const ExportOptions& options) {
         throw bad_option("export", "nothing to write; expected --latex, --csv, --svg, --pdf or --gltf");
     }
     if (options.step && !options.wants_step()) {
-        throw bad_option("export", "--step is of single steps; --gltf is the whole motion");
+        throw bad_option(
+            "export", "--step selects one step, but --gltf exports the whole motion; give one of them");
     }
     if (options.latex == kStandardOutput && options.csv == kStandardOutput) {
         throw bad_option("export", "--latex and --csv both go to standard output; expected a file for one");
@@ -51,7 +52,9 @@ void check(const ExportOptions& options) {
         if (file != kStandardOutput) {
             check_output(name, file, {options.file});
         } else if (!is_text) {
-            throw bad_option("export", std::string(name) + " is no text; expected a file");
+            throw bad_option(
+                "export",
+                std::string(name) + " cannot go to standard output, because it is not text; expected a file");
         }
     }
 }

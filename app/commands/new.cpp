@@ -33,12 +33,13 @@ fs::path file_of(const std::string& name) {
     const fs::path file = name.ends_with(".toml") ? name : name + ".toml";
     const bool nameless = name.empty() || name.ends_with('/') || file.stem() == ".toml";
     if (nameless || file.filename() == kCourseFile) {
-        throw bad_input(in_quotes(name) + " cannot be the name of a lesson; expected one as 'my-lesson'");
+        throw bad_input(
+            in_quotes(name) + " cannot be the name of a lesson; expected one such as 'my-lesson'");
     }
     std::error_code error;
     if (fs::exists(fs::symlink_status(file, error))) {
         throw bad_input(
-            in_quotes(file.string()) + " is there already, and stays as it is; expected another name");
+            in_quotes(file.string()) + " already exists and is not changed; expected another name");
     }
     return file;
 }

@@ -93,7 +93,7 @@ void write_quiz(
     write_text(out / "moodle.xml", moodle_xml(sheets, title));
     for (const std::string& name : not_for_quizzes(sheets.front())) {
         streams.err << "jointwise: note: exercise '" << name
-                    << "' asks for more than a quiz can; it is left out\n";
+                    << "' cannot be asked in a quiz; it is left out\n";
     }
 }
 

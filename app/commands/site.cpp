@@ -37,7 +37,7 @@ bool is_url(const std::string& text) { return text.starts_with("https://") || te
 void check_folder(const std::string& what, const fs::path& folder) {
     std::error_code error;
     if (fs::is_directory(folder, error)) { return; }
-    throw bad_input(what + in_quotes(folder.string()) + " is no folder; expected one with files of TOML");
+    throw bad_input(what + in_quotes(folder.string()) + " is not a folder; expected a folder of .toml files");
 }
 
 /// True if a path, which need not exist, is a folder or lies below it, after following links.
@@ -55,7 +55,7 @@ void check_slides(const std::string& file) {
     std::string first(5, '\0');
     std::ifstream(file, std::ios::binary).read(first.data(), static_cast<std::streamsize>(first.size()));
     if (first == "%PDF-") { return; }
-    throw bad_input("--slides: " + in_quotes(file) + " is no PDF; expected a PDF file or a URL");
+    throw bad_input("--slides: " + in_quotes(file) + " is not a PDF; expected a PDF file or a URL");
 }
 
 /// Reports files in the folder of lessons that are not lessons, and so are not in the site.
@@ -70,7 +70,7 @@ void tell_left_out(const fs::path& folder, const Streams& streams) {
         if (!hidden && entry->is_directory(unknown) && ::access(entry->path().c_str(), R_OK | X_OK) != 0) {
             why = "this folder cannot be read";
         } else if (entry->path().extension() == ".toml" && !entry->is_regular_file(unknown)) {
-            why = "this is no file of text";
+            why = "this is not a regular file";
         } else if (hidden && entry->path().extension() == ".toml") {
             why = "its name begins with a dot";
         }
@@ -97,8 +97,8 @@ void check_setup(const SiteSetup& setup) {
         if (read.empty()) { continue; }
         if (lies_in(setup.out, read) || lies_in(read, setup.out)) {
             throw bad_input(
-                "--out: " + in_quotes(setup.out) + " and " + in_quotes(read) +
-                ", which is read, lie in one another; expected a folder elsewhere");
+                "--out: one of " + in_quotes(setup.out) + " and " + in_quotes(read) +
+                " (which is read) contains the other; expected a folder elsewhere");
         }
     }
 }

@@ -84,7 +84,7 @@ void warn_of_crossings(const Sweep& sweep, const Streams& streams) {
     for (std::size_t k = 0; k < std::min(most, count); ++k) {
         streams.err << "jointwise: warning: at t = " << number_text(sweep.crossings[k], 6)
                     << " s the motion passes a change point, or comes very near one, and continues along its "
-                       "tangent; that this is its branch is not proved\n";
+                       "tangent; it is not proved that it stays on its branch\n";
     }
     if (count > most) {
         streams.err << "jointwise: warning: the motion passes " << count - most << " more of them\n";

@@ -64,7 +64,7 @@ const KindOfExercise& kind_of(ExerciseKind kind) {
             tr_later("Hand in a program: .py, .cpp, .m or .js. It reads JSON and writes JSON."), right_output,
             mistaken_outputs, judge_output, "program"},
         KindOfExercise{
-            ExerciseKind::repair, tr_later("Hand in the mended lesson file. Change as little as possible."),
+            ExerciseKind::repair, tr_later("Hand in the repaired lesson file. Change as little as possible."),
             right_repair, mistaken_repairs, judge_repair, ".toml"},
         KindOfExercise{
             ExerciseKind::build,

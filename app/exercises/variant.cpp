@@ -111,7 +111,7 @@ VariantDraw drawn_variant(
     ReadResult read =
         read_lesson_with_claims(built, exercise.scene_name, claims_of(exercise, exercise.scene));
     if (!read.lesson) {
-        return {std::nullopt, "a drawn scene is no lesson: " + read.diagnostics.front().message};
+        return {std::nullopt, "a drawn scene is not a lesson: " + read.diagnostics.front().message};
     }
     variant.lesson = std::move(*read.lesson);
     return {std::move(variant), {}};

@@ -32,7 +32,8 @@ void draw_missing(
     const DrawnLesson& lesson, std::span<const NumberedPicture> pictures, const host::FrameDraft& draft,
     const std::function<void(std::size_t there)>& progress);
 
-/// Part `part` of `parts` equal ones, counted from 0: consecutive pictures, which have most in common.
+/// Pictures of part `part` (from 0) of `parts` equal parts. They are consecutive, because neighbours have
+/// most in common.
 std::span<const NumberedPicture> part_of(std::span<const NumberedPicture> all, int part, int parts);
 
 }  // namespace jw::film

@@ -253,7 +253,7 @@ std::string film_page(
     page += kPageStyle;
     page += "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n";
     page +=
-        "<noscript><p>This page moves with JavaScript, which is off here.</p></noscript>\n</main>\n"
+        "<noscript><p>This page needs JavaScript to play the film.</p></noscript>\n</main>\n"
         "<script type=\"application/json\" id=\"film\">";
     // escaped so that it cannot end the script
     page += replaced(json_document(film, -1), "<", "\\u003c");

@@ -174,7 +174,7 @@ void run_parts(
         const std::string said = last_line_of(log_of(folder, failed));
         constexpr std::string_view prefix = "jointwise: error: ";
         throw std::runtime_error(
-            said.empty()               ? "a process that drew pictures has ended without a word"
+            said.empty()               ? "a process that drew pictures ended without a message"
             : said.starts_with(prefix) ? said.substr(prefix.size())
                                        : said);
     }

@@ -4,14 +4,16 @@ namespace jointwise::python {
 
 Numbers numbers_of(const py::handle& value, const char* what) {
     Numbers numbers = Numbers::ensure(value);
-    if (!numbers) { throw py::value_error(std::string("jointwise: ") + what + " is no array of numbers"); }
+    if (!numbers) {
+        throw py::value_error(std::string("jointwise: ") + what + " is not an array of numbers");
+    }
     return numbers;
 }
 
 std::vector<double> list_of(const py::handle& value, const char* what) {
     const Numbers numbers = numbers_of(value, what);
     if (numbers.ndim() != 1) {
-        throw py::value_error(std::string("jointwise: ") + what + " is no list of numbers");
+        throw py::value_error(std::string("jointwise: ") + what + " is not a list of numbers");
     }
     return {numbers.data(), numbers.data() + numbers.size()};
 }
@@ -24,7 +26,7 @@ std::optional<Vector3> optional_vector_of(const py::handle& value, const char* w
 Matrix3 matrix_of(const py::handle& value, const char* what) {
     const Numbers numbers = numbers_of(value, what);
     if (numbers.ndim() != 2 || numbers.shape(0) != 3 || numbers.shape(1) != 3) {
-        throw py::value_error(std::string("jointwise: ") + what + " is no matrix of 3 x 3");
+        throw py::value_error(std::string("jointwise: ") + what + " is not a 3 x 3 matrix");
     }
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers.data());
 }

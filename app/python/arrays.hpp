@@ -43,7 +43,7 @@ std::vector<Eigen::Matrix<double, N, 1>> rows_of(const py::handle& value, const 
     const Numbers numbers = numbers_of(value, what);
     if (numbers.ndim() != 2 || numbers.shape(1) != N) {
         throw py::value_error(
-            std::string("jointwise: ") + what + " is no table of " + std::to_string(N) + " columns");
+            std::string("jointwise: ") + what + " is not a table of " + std::to_string(N) + " columns");
     }
     std::vector<Eigen::Matrix<double, N, 1>> rows;
     for (py::ssize_t k = 0; k < numbers.shape(0); ++k) { rows.emplace_back(numbers.data(k, 0)); }

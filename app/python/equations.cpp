@@ -102,25 +102,26 @@ void add_equations(py::module_& module) {
         "assemble",
         [](Mechanism mechanism, double t) { return in_parallel([&] { return assemble(mechanism, t); }); },
         "mechanism"_a, "t"_a = 0.0,
-        "Puts everything together at a time [s]: Φ(q, t) = 0 from the start estimate on. Raises NotReached.");
+        "Assembles the mechanism at a time [s], from the start estimate: Φ(q, t) = 0. Raises NotReached.");
     module.def(
         "assemble",
         [](Mechanism mechanism, Pose estimate, double t) {
             return in_parallel([&] { return assemble(mechanism, estimate, t); });
         },
         "mechanism"_a, "estimate"_a, "t"_a = 0.0,
-        "Puts everything together at a time [s] from another estimate on. Raises NotReached.");
+        "Assembles the mechanism at a time [s], from the given estimate. Raises NotReached.");
     module.def(
         "rank_at",
         [](Mechanism mechanism, Pose pose) { return in_parallel([&] { return rank_at(mechanism, pose); }); },
         "mechanism"_a, "pose"_a, "Rank of Φq at a pose, in (r, ω′) coordinates.");
     module.def(
         "velocities_at", &velocities_at, "mechanism"_a, "pose"_a,
-        "Velocities that satisfy Φq q̇ = ν, the smallest where that leaves a choice. Raises NotReached if "
-        "equations contradict each other.");
+        "Velocities with Φq q̇ = ν; the smallest ones if the equations do not determine them. Raises "
+        "NotReached if equations contradict each other.");
     module.def(
         "accelerations_at", &accelerations_at, "mechanism"_a, "pose"_a, "velocities"_a,
-        "Accelerations with Φq q̈ = γ, likewise, in the places of velocities.");
+        "Accelerations with Φq q̈ = γ, returned as Rates; the smallest ones if the equations do not determine "
+        "them.");
 }
 
 }  // namespace jointwise::python

@@ -19,7 +19,9 @@ py::object written_equations(
     }
     // another size would reallocate the numbers, and views of them would dangle
     if (out->phi.size() != evaluator.rows() || out->jacobian.cols() != evaluator.columns()) {
-        throw py::value_error("jointwise: out is of another mechanism or of other coordinates");
+        throw py::value_error(
+            "jointwise: 'out' belongs to another mechanism or to other coordinates; expected Equations of "
+            "this evaluator");
     }
     evaluator.equations_at(pose, rates, *out);
     return py::cast(out);  // the object that was given
@@ -65,9 +67,9 @@ void add_evaluator(py::module_& module) {
     add_along_motion(module);
     py::class_<Evaluator>(
         module, "Evaluator",
-        "The equations of one mechanism at many poses: structure and memory are made once. The mechanism is "
-        "taken as it is now. Rows of p1 and p2 are chosen at the start pose, and again by `choose_rows` "
-        "only.")
+        "The equations of one mechanism at many poses: structure and memory are made once. Later "
+        "changes to the mechanism do not affect them. Rows of p1 and p2 are chosen at the start pose; "
+        "`choose_rows` chooses them at another one.")
         .def(
             py::init([](const Mechanism& mechanism, const py::object& coordinates) {
                 return Evaluator(mechanism, coordinates_of(coordinates));
@@ -82,16 +84,15 @@ void add_evaluator(py::module_& module) {
             "Applies the rule of slide 5 at a pose. True if rows have changed.")
         .def(
             "equations_at", &written_equations, "pose"_a, "velocities"_a = py::none(), "out"_a = py::none(),
-            "Φ, Φq, ν and γ. `out`: Equations of this evaluator that are written again, views of them "
-            "included.")
+            "Φ, Φq, ν and γ. `out`: Equations of this evaluator to overwrite; views of them then show the "
+            "new numbers.")
         .def(
             "equations_along",
             [](Evaluator& evaluator, const Trajectory& trajectory) {
                 return std::make_unique<AlongMotion>(AlongMotion{
                     evaluator.equations_along(trajectory), evaluator.rows(), evaluator.columns()});
             },
-            "trajectory"_a,
-            "Φ, Φq, ν and γ at all times of a motion, with the rows as they are chosen before.")
+            "trajectory"_a, "Φ, Φq, ν and γ at all times of a motion, with the current choice of rows.")
         .def("phi_at", &phi_of, "pose"_a, "Φ alone [rows].")
         .def(
             "columns_of",

@@ -68,8 +68,8 @@ void add_films(py::module_& module) {
             "height", [](const Film& film) { return film.options().height; }, "Pixels.")
         .def(
             "save", &save, "file"_a,
-            "Writes it, whole or not at all, in the format that the name ends with: .gif, .apng, .html, and "
-            "with ffmpeg .mp4 and .webm, which have their captions beside them. Ctrl-C ends it.")
+            "Writes the film completely or not at all. The extension selects the format: .gif, .apng, .html, "
+            "or with ffmpeg .mp4, .webm (and a file of captions beside them). Ctrl-C interrupts it.")
         .def("_repr_html_", &html_of)
         .def("__repr__", [](const Film& film) {
             return "<jointwise.Film: " + counted(film.pictures(), "picture") + ">";

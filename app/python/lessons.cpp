@@ -36,7 +36,7 @@ void add_errors(py::module_& module) {
         });
 
     py::register_exception<NotReached>(module, "NotReached", PyExc_RuntimeError).doc() =
-        "The numerics could not do it; the text names time and joint.";
+        "The numerical methods did not reach a result; the message names the time and the joint.";
     // the exceptions live as long as the interpreter: they must not be released after its end
     static py::handle lesson_error =
         py::exception<LessonError>(module, "LessonError", PyExc_ValueError).release();
@@ -56,7 +56,8 @@ void add_lessons(py::module_& module) {
         .def_property_readonly("title", &Lesson::title)
         .def_property_readonly("text", &Lesson::text)
         .def_property_readonly(
-            "mechanism", &Lesson::mechanism, "A mechanism of its own; changing it changes no lesson.")
+            "mechanism", &Lesson::mechanism,
+            "A copy of the lesson's mechanism; changes to it do not affect the lesson.")
         .def_property_readonly(
             "warnings", &Lesson::warnings, "Warnings of the reader; empty if there are none.")
         .def_property_readonly(

@@ -25,7 +25,7 @@ void add_quantities(py::module_& module) {
         "'hinge.angle_dot', '|hinge.force|', 'energy.sum'. SI units and radians; NaN where there is no "
         "value.")
         .def(py::init<const Mechanism&, const std::vector<std::string>&>(), "mechanism"_a, "names"_a)
-        .def_property_readonly("names", &Quantities::names, "As they are called today.")
+        .def_property_readonly("names", &Quantities::names, "The current names.")
         .def_property_readonly("units", &Quantities::units, "'rad/s', 'N m'; '1' where a number has no unit.")
         .def(
             "at",
@@ -42,7 +42,7 @@ void add_quantities(py::module_& module) {
         });
     module.def(
         "quantity_names", &quantity_names, "mechanism"_a,
-        "The names of all quantities of a mechanism, but those that need a point or a direction.");
+        "The names of all quantities of a mechanism, except those that need a point or a direction.");
 }
 
 void add_reactions(py::module_& module) {
@@ -66,7 +66,7 @@ void add_reactions(py::module_& module) {
 
     py::class_<Reactions>(
         module, "Reactions",
-        "Reactions of a motion; where redundant equations leave them open, the smallest.")
+        "Reactions of a motion; the smallest ones if redundant equations leave them undetermined.")
         .def_readonly("reactions", &Reactions::reactions, "Of joints, then of drivers.")
         .def_readonly("open", &Reactions::open, "Independent reactions that can be added without any motion.")
         .def_readonly(

@@ -14,7 +14,7 @@ int number_of(const py::object& value, const std::vector<std::string>& names, co
         const long number = PyIndex_Check(value.ptr()) != 0 ? PyLong_AsLong(py::int_(value).ptr()) : -1;
         if (PyErr_Occurred() != nullptr) { throw py::error_already_set(); }
         if (PyIndex_Check(value.ptr()) == 0 || number != static_cast<int>(number)) {
-            throw py::type_error("jointwise: a " + what + " is given by its number or its name");
+            throw py::type_error("jointwise: expected the number or the name of a " + what);
         }
         return static_cast<int>(number);
     }
@@ -142,14 +142,13 @@ void add_mechanism(py::module_& module) {
     py::class_<Mechanism> type(
         module, "Mechanism",
         "Bodies, joints and drivers as data. Bodies, joints and drivers have numbers in the order in which "
-        "they were added; body 0 is the ground. An argument that makes no sense raises ValueError and "
-        "changes nothing.");
+        "they were added; body 0 is the ground. An invalid argument raises ValueError and changes nothing.");
     type.def(py::init<>())
         .def_property_readonly("body_names", &Mechanism::body_names)
         .def_property_readonly("joint_names", &Mechanism::joint_names)
         .def_property_readonly("driver_names", &Mechanism::driver_names)
         .def("__repr__", &text_of);
-    add_copies(type, "A mechanism of its own, with the same data.");
+    add_copies(type, "An independent copy.");
     add_building(type);
     add_forces(type);
     module.def(

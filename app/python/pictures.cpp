@@ -62,7 +62,7 @@ void add_pictures(py::module_& module) {
         .def(
             "write_png",
             [](const Image& image, const std::filesystem::path& file) { write_png(image, file); }, "file"_a,
-            "Writes a PNG file, whole or not at all.")
+            "Writes a PNG file completely or not at all.")
         .def("__repr__", [](const Image& image) {
             return "<jointwise.Image " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                    ">";

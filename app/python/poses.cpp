@@ -12,7 +12,7 @@ constexpr const char* kCopied = "Other numbers, of the same size.";
 Pose pose_with(double t, const py::object& r, const py::object& p, const py::object& theta) {
     Pose pose{t, rows_of<3>(r, "r"), rows_of<4>(p, "p"), list_of(theta, "theta")};
     if (pose.r.size() != pose.p.size()) {
-        throw py::value_error("jointwise: r and p of a pose have not one row per body each");
+        throw py::value_error("jointwise: r and p of a pose do not have one row for each body");
     }
     return pose;
 }
@@ -21,7 +21,7 @@ Rates rates_with(const py::object& r_dot, const py::object& omega_local, const p
     Rates rates{
         rows_of<3>(r_dot, "r_dot"), rows_of<3>(omega_local, "omega_local"), list_of(theta_dot, "theta_dot")};
     if (rates.r_dot.size() != rates.omega_local.size()) {
-        throw py::value_error("jointwise: r_dot and omega_local have not one row per body each");
+        throw py::value_error("jointwise: r_dot and omega_local do not have one row for each body");
     }
     return rates;
 }
@@ -67,9 +67,9 @@ void add_rates(py::module_& module) {
     using namespace py::literals;
     py::class_<Rates> type(
         module, "Rates",
-        "Velocities, or accelerations in their place; the arrays are views that can be written. `r_dot` "
-        "[bodies x 3] in m/s, `omega_local` [bodies x 3] in rad/s and in the frame of the body, `theta_dot` "
-        "[screws] in rad/s.");
+        "Velocities, or accelerations under the same names; the arrays are views that can be written. "
+        "`r_dot` [bodies x 3] in m/s, `omega_local` [bodies x 3] in rad/s and in the frame of the body, "
+        "`theta_dot` [screws] in rad/s.");
     type.def(py::init(&rates_with), "r_dot"_a, "omega_local"_a, "theta_dot"_a = py::tuple())
         .def(py::pickle(
             [](const py::object& self) {
@@ -109,7 +109,8 @@ void add_poses(py::module_& module) {
             "pose"_a, "velocity"_a, "acceleration"_a, "energy"_a = 0.0)
         .def_readonly("pose", &Moment::pose)
         .def_readonly("velocity", &Moment::velocity)
-        .def_readonly("acceleration", &Moment::acceleration, "r̈, ω̇′ and θ̈ in the places of ṙ, ω′ and θ̇.")
+        .def_readonly(
+            "acceleration", &Moment::acceleration, "r̈, ω̇′ and θ̈; the members have the names for ṙ, ω′ and θ̇.")
         .def_readonly("energy", &Moment::energy, "Kinetic and potential [J]; 0 in `follow`.")
         .def("__repr__", [](const Moment& m) {
             return "<jointwise.Moment at t = " + py::str(py::float_(m.pose.t)).cast<std::string>() + " s>";
@@ -117,7 +118,7 @@ void add_poses(py::module_& module) {
     module.def(
         "start_pose", &start_pose, "mechanism"_a,
         "The start estimate, whether it satisfies the equations or not.");
-    module.def("start_rates", &start_rates, "mechanism"_a, "The velocities that were given for the start.");
+    module.def("start_rates", &start_rates, "mechanism"_a, "The start velocities of the mechanism.");
 }
 
 }  // namespace jointwise::python

@@ -147,8 +147,8 @@ void write_course_files(const SiteCourse& course, const fs::path& into) {
         const ExercisesRead read = read_exercise_file(file);
         if (read.exercises.empty() && !read.diagnostics.empty()) {
             throw std::runtime_error(
-                "in the site exercises do not find what they need; expected their scenes below their own "
-                "folder or the lessons:\n" +
+                "the exercises would not find their scenes in the site; expected scenes in the folder of the "
+                "exercises or of the lessons:\n" +
                 read.report());
         }
     }

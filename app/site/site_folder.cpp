@@ -37,7 +37,7 @@ std::set<std::string> top_of_site_in(const fs::path& folder) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(file, error))) { return {}; }
     if (!fs::is_regular_file(file, error)) {
-        host::refuse(file, "is no file of a site; expected another folder");
+        host::refuse(file, "is not a regular file; expected another folder");
     }
     const Json manifest = Json::parse(read_file_text(file, kMostOfManifest).text, nullptr, false);
     const bool is_ours = manifest.is_object() && manifest.contains("format") &&
@@ -45,7 +45,8 @@ std::set<std::string> top_of_site_in(const fs::path& folder) {
                          manifest["version"].is_number_integer() && manifest.contains("top") &&
                          manifest["top"].is_array();
     if (!is_ours) {
-        host::refuse(file, "is no list of a site; expected an empty folder, or one with a site of before");
+        host::refuse(
+            file, "is not the list of a site; expected an empty folder, or one with an earlier site");
     }
     if (manifest["version"].get<int>() > kVersion) {
         host::refuse(
@@ -93,7 +94,7 @@ SiteFolder::SiteFolder(fs::path folder)
     for (const std::string& name : host::names_in(folder_)) {
         if (is_hidden(name) || name == kManifest || ours.contains(name)) { continue; }
         host::refuse(
-            folder_ / name, "is no part of a site; expected an empty folder, or one with a site of before");
+            folder_ / name, "is not part of a site; expected an empty folder, or one with an earlier site");
     }
     // a run was killed while it replaced the old site: put the old site back
     for (const std::string& name : host::names_in(replaced_)) {

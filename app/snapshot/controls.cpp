@@ -13,7 +13,7 @@ namespace jw::snapshot {
 namespace {
 
 constexpr SnapshotRules kDefaults;
-constexpr const char* kNoNumber = "the step has no number that may differ at all";
+constexpr const char* kNoNumber = "no number of the step has a tolerance";
 
 render::Image shifted(const render::Image& image) {
     render::Image moved = image;
@@ -146,7 +146,7 @@ private:
         moved.layers.depth = shifted(right_.layers.depth);
         const render::PixelMask mask = render::differing(right_.layers.ids, moved.layers.ids, 0);
         if (broken_rule(mask, kDefaults.ids.share, kDefaults.ids.patch).empty()) {
-            return skip(fault, "ids", "no thing has an edge of more pixels than may differ");
+            return skip(fault, "ids", "the edge of each thing has so few pixels that they may differ");
         }
         add(fault, "ids", difference_of(right_, moved, rules_).layers_fail());
     }
@@ -194,7 +194,7 @@ private:
         };
         const std::string fault = "two bodies have swapped their colours";
         if (!swap_colours(picture, is_body_seen)) {
-            return skip(fault, "colours", "no body is seen that has another colour than another one");
+            return skip(fault, "colours", "no two visible bodies have different colours");
         }
         add(fault, "colours", are_other_colours(view_, picture));
     }

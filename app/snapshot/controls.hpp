@@ -38,7 +38,7 @@ struct ControlResults {
 ControlResults control(
     Camera& camera, const Shot& shot, const SnapshotRules& rules, const std::set<Fault>& wanted);
 
-/// The shot in which most faults can be made: the last one at which everything is assembled.
+/// The shot in which most faults can be made: the last one with everything assembled.
 const Shot& shot_for_controls(const Camera& camera);
 
 }  // namespace jw::snapshot

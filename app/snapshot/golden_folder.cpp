@@ -60,7 +60,7 @@ std::string text_at(const fs::path& path) {
 }
 
 int whole_number(const Json& json, const fs::path& path, int least, int most) {
-    if (!json.is_number_integer()) { damaged(path, "has something else in place of a whole number"); }
+    if (!json.is_number_integer()) { damaged(path, "has a value that is not a whole number"); }
     const auto value = json.get<std::int64_t>();
     if (value < least || value > most) { damaged(path, "has a number out of range"); }
     return static_cast<int>(value);
@@ -114,7 +114,7 @@ GoldenHead GoldenFolder::head() const {
         whole_number(size[1], path, kSmallestSize.height, kLargestSize.height)};
     head.choice.moments = whole_number(json.value("moments", Json()), path, 0, kMostMoments);
     for (const Json& name : json.value("only", Json::array())) {
-        if (!name.is_string()) { damaged(path, "has something else in place of a name"); }
+        if (!name.is_string()) { damaged(path, "has a value that is not a name"); }
         head.choice.only.push_back(name.get<std::string>());
     }
     head.language = language.get<std::string>();

@@ -22,7 +22,8 @@ void add(std::vector<SuiteLesson>& suite, const fs::path& file, const fs::path& 
     if (std::ranges::any_of(plain, [](const fs::path& part) { return part == "." || part == ".."; })) {
         throw std::runtime_error(
             "'" + file.string() +
-            "' cannot give a folder of snapshots its name; expected a file with a name before .toml");
+            "' has no name before .toml, so its folder of snapshots cannot be named after it; expected a "
+            "file such as crank.toml");
     }
     const std::string text = plain.generic_string();
     const auto other = std::ranges::find(suite, text, &SuiteLesson::name);

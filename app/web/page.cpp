@@ -78,7 +78,7 @@ constexpr std::array kWords{
     tr_later("Save"),
     tr_later("Close"),
     tr_later("A link to what you see was copied."),
-    tr_later("The browser does not let this page write into the clipboard."),
+    tr_later("The browser does not let this page write to the clipboard."),
     tr_later("Reload the page to see the letters of this language."),
     tr_later("The graphics card is not available at the moment; waiting for it."),
     tr_later(

@@ -181,7 +181,7 @@ void read_hidden(Fields& fields, Exercise& exercise) {
 
 void read_spoil(Fields& fields, Exercise& exercise) {
     fields.require(
-        "spoil", "changes that make the scene sick: { key = \"joint.B.axis\", value = [1, 0, 0] }");
+        "spoil", "changes that put faults into the scene: { key = \"joint.B.axis\", value = [1, 0, 0] }");
     exercise.spoil = read_edits(fields, "spoil");
     const EditedScene sick = with_edits(exercise.scene, exercise.spoil);
     if (!exercise.scene.empty() && !sick.problem.empty()) {

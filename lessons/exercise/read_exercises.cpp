@@ -119,7 +119,8 @@ void read_changes(Fields& fields, Exercise& exercise) {
     if (read.lesson) { return; }
     fields.report(
         Code::exercise_scene, fields.span("change"),
-        "the changed scene is no lesson: " + read.diagnostics.front().message, read.diagnostics.front().hint);
+        "the changed scene is not a lesson: " + read.diagnostics.front().message,
+        read.diagnostics.front().hint);
 }
 
 /// Reads the scene: a file beside the exercises, or a lesson written in place.
@@ -154,7 +155,7 @@ void read_scene(Fields& fields, const fs::path& folder, Exercise& exercise) {
     const Diagnostic& first = read.diagnostics.front();
     fields.report(
         Code::exercise_scene, scene->span,
-        "the scene is no lesson: line " + std::to_string(first.span.line) + ": " + first.message,
+        "the scene is not a lesson: line " + std::to_string(first.span.line) + ": " + first.message,
         "'jointwise check' tells all that is wrong with a file");
 }
 

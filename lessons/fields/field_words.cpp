@@ -133,7 +133,7 @@ bool Fields::is_misnamed_language(const toml::key& key, const toml::node& node) 
     const std::string meant = meant_language_tag(key.str());
     report(
         Code::language_tag, span_of(key.source()),
-        in_quotes(key.str()) + " is no language tag; expected one such as 'zh-Hant', 'de' or 'pt-BR'",
+        in_quotes(key.str()) + " is not a language tag; expected one such as 'zh-Hant', 'de' or 'pt-BR'",
         meant.empty() ? "" : "did you mean " + in_quotes(meant) + "?");
     return true;
 }

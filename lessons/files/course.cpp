@@ -49,7 +49,7 @@ std::string name_in(Fields& fields, const Names& before, const fs::path& folder)
     if (!is_plain_name(name->value)) {
         fields.report(
             Code::course_name, name->span,
-            in_quotes(name->value) + " is no name of a folder; expected the folder beside this file");
+            in_quotes(name->value) + " is not the name of a folder; expected the folder beside this file");
     } else if (is_in(before, name->value)) {
         fields.report(
             Code::course_twice, name->span,
@@ -89,7 +89,7 @@ Names lessons_in(Fields& fields) {
         if (!is_plain_name(name) || !name.ends_with(".toml")) {
             fields.report(
                 Code::course_name, span,
-                in_quotes(name) + " is no name of a lesson file; expected one as 'four-bar.toml'");
+                in_quotes(name) + " is not the name of a lesson file; expected one such as 'four-bar.toml'");
         } else if (is_in(lessons, name)) {
             fields.report(
                 Code::course_twice, span,

@@ -48,7 +48,7 @@ std::string why_not_opened(const fs::path& path, int error) {
         case ENOTDIR: return "a part of the path is a file, not a folder";
         case ENAMETOOLONG: return "the name is too long for a file";
         case EACCES:
-        case EPERM: return "the file cannot be opened: it may not be read";
+        case EPERM: return "the file cannot be opened: no permission to read it";
         default: return "the file cannot be opened: " + std::generic_category().message(error);
     }
 }

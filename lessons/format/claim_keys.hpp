@@ -40,7 +40,8 @@ inline constexpr std::array kFacts = joined(
     keys_of<kVerdicts>([](const EnumWord<Verdict>& verdict) {
         return Key{verdict.word, KeyKind::flag, "whether it is so"};
     }),
-    std::array{Key{"dropped", KeyKind::text, "the equation that a joint leaves out, as \"hinge p1 z\""}});
+    std::array{
+        Key{"dropped", KeyKind::text, "the equation that a joint leaves out, such as \"hinge p1 z\""}});
 
 inline constexpr std::array kSubjectOfFormula{
     Key{"joint", KeyKind::text, "joint that the formula is about"},
@@ -50,7 +51,7 @@ inline constexpr std::array kSubjectOfFormula{
     Key{"where", KeyKind::texts, "definitions of further symbols"}};
 
 inline constexpr std::array kMeasured{
-    Key{"quantity", KeyKind::text, "what is measured, as \"crank.x\""},
+    Key{"quantity", KeyKind::text, "what is measured, such as \"crank.x\""},
     counted("derivative", KeyKind::whole_number, "1 for its rate, 2 for its acceleration", 0, 2),
     Key{"point", KeyKind::vector, "the point of \"crank.point.x\", local", "m"}};
 
@@ -75,9 +76,9 @@ inline constexpr std::array kQuestion{
     counted("choices", KeyKind::list_of_words, "answer: one of these sentences", 2, 8),
     counted("answer", KeyKind::whole_number, "number of the right choice, from 1", 1, 8),
     one_of("click", "answer: a thing of this kind, clicked or named", words_in<kThings>),
-    Key{"right", KeyKind::texts, "names of the things that are right, as [\"hinge s_i\"]"},
+    Key{"right", KeyKind::texts, "names of the things that are right, such as [\"hinge s_i\"]"},
     one_of("rows", "instead: rows that are found once the step is done", words_in<kRowsFound>),
-    Key{"pose", KeyKind::text, "answer: the pose of this body, led there by hand"},
+    Key{"pose", KeyKind::text, "answer: the pose of this body, to which it is dragged"},
     spelled({"tolerance", KeyKind::positive, "largest deviation that counts as right"}, Spelling::any)};
 
 inline constexpr std::array kStep{
@@ -88,7 +89,7 @@ inline constexpr std::array kStep{
 inline constexpr std::array kTrial{
     required({"text", KeyKind::words, "what to try, and what to look at"}),
     required(counted("do", KeyKind::texts, "experiments in the form that --try takes", 1, 20)),
-    Key{"breaks", KeyKind::flag, "the scene does not survive it, on purpose"}};
+    Key{"breaks", KeyKind::flag, "true: the experiments break the scene on purpose"}};
 
 inline constexpr std::array kClaimTables{
     KeyTable{"step", kStep}, KeyTable{"question", kQuestion}, KeyTable{"trial", kTrial},

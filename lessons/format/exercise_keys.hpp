@@ -27,7 +27,7 @@ inline constexpr std::array kAnswer = joined(
         one_of("count", "answer: how many there are", words_in<kCounts>),
         Key{"dropped", KeyKind::text, "answer: which of x, y, z is left out of \"hinge p1\""},
         spelled({"tolerance", KeyKind::positive, "largest deviation that counts as right"}, Spelling::any),
-        Key{"absolute", KeyKind::flag, "the tolerance is no share of the value"},
+        Key{"absolute", KeyKind::flag, "true: the tolerance is absolute, not relative"},
         Key{"unit", KeyKind::text, "unit of the answer, shown beside it"},
         Key{"mistakes", KeyKind::texts, "known mistakes that are looked for; default all"},
         Key{"branch", KeyKind::texts, "experiments that lead to other right answers"},
@@ -49,17 +49,18 @@ inline constexpr std::array kExercise = joined(
         Key{"source", KeyKind::text, "slides or pages of the book"},
         one_of("allowed", "what may be used", allowed_aids),
         Key{"points", KeyKind::positive, "points that it is worth; at most 1000"},
-        Key{"lesson", KeyKind::text, "lesson of the catalogue that it belongs to, as \"vectors/frames\""},
+        Key{"lesson", KeyKind::text,
+            "lesson of the catalogue that it belongs to, such as \"vectors/frames\""},
         required(one_of("kind", "what is handed in", words_in<kExerciseKinds>)),
         in_table("alternative", KeyKind::tables, "another question under the same name", "alternative")},
     kAlternative);
 
 inline constexpr std::array kChange{
-    required({"key", KeyKind::text, "what is changed, as \"joint.B.axis\""}),
+    required({"key", KeyKind::text, "what is changed, such as \"joint.B.axis\""}),
     Key{"value", KeyKind::any, "its new value; without one it is taken out"}};
 
 inline constexpr std::array kDraw{
-    Key{"key", KeyKind::text, "what is drawn, as \"joint.B.axis\""},
+    Key{"key", KeyKind::text, "what is drawn, such as \"joint.B.axis\""},
     Key{"keys", KeyKind::texts, "instead: several that get the same value"},
     Key{"values", KeyKind::any, "one of this list"},
     Key{"from", KeyKind::number, "instead: smallest number"},

@@ -38,7 +38,7 @@ inline constexpr std::array kDriver = joined(
         required(
             {.name = "quantity",
              .kind = KeyKind::text,
-             .about = "what is prescribed, or its name as \"hinge.angle\"",
+             .about = "what is prescribed, or its name, such as \"hinge.angle\"",
              .words = driven_quantities,
              .pattern = "\\."}),
         Key{"joint", KeyKind::text, "joint whose angle or displacement it is"},
@@ -127,7 +127,7 @@ inline constexpr std::array kDynamics = joined(
     keys_in(kAccuracy),
     std::array{
         in_table("point", KeyKind::table, "point whose path is plotted", "point"),
-        Key{"point_at_end", KeyKind::vector, "where a trusted computation finds it at the end", "m"}});
+        Key{"point_at_end", KeyKind::vector, "the point at the end, from a trusted computation", "m"}});
 
 inline constexpr std::array kPoint{
     required({"body", KeyKind::text, "body that it belongs to"}),

@@ -19,7 +19,7 @@ inline constexpr std::array kLesson{
     one_of("coordinates", "choice of coordinates that the pictures show", words_in<kChoices>),
     Key{"order", KeyKind::texts, "joints and drivers in the order in which they are added"},
     required(in_table("body", KeyKind::tables, "bodies: where their frames are at the start", "body")),
-    in_table("precision", KeyKind::table, "what the digits of joints are worth", "precision"),
+    in_table("precision", KeyKind::table, "which numbers count as rounded", "precision"),
     in_table("joint", KeyKind::tables, "joints, in the order in which they are added", "joint"),
     in_table("driver", KeyKind::tables, "quantities that are prescribed as functions of time", "driver"),
     in_table("motion", KeyKind::table, "the motion that the drivers prescribe", "motion"),
@@ -121,7 +121,7 @@ inline constexpr std::array kJoint{
     in_table("curve", KeyKind::table, "curve in the frame of the first body, from point_i on", "curve"),
     one_of("angle_row", "equation of a screw's angle", words_in<kAngleRows>),
     one_of("parallel", "which equations of p1 or p2 are kept", words_in<kParallelForms>),
-    Key{"without", KeyKind::texts, "equations that are taken out, as \"p1 x\""},
+    Key{"without", KeyKind::texts, "equations that are taken out, such as \"p1 x\""},
     spelled({"theta_0", KeyKind::number, "angle of a screw or a rack at d_0"}, Spelling::angle),
     spelled(
         {"theta", KeyKind::number, "start value of the coordinate of a screw or a wheel"}, Spelling::angle),

@@ -26,7 +26,7 @@ public:
         math::RowCursor cursor(row);
         if (cursor.at_end()) { throw NotEvaluated({0, "there is nothing here; expected an expression", ""}); }
         V value = expression(cursor);
-        if (!cursor.at_end()) { fail(cursor.peek(), "this cannot stand here"); }
+        if (!cursor.at_end()) { fail(cursor.peek(), "this cannot be used here"); }
         return value;
     }
 
@@ -61,7 +61,7 @@ private:
         while (!cursor.at_end() && (is_sign(cursor.peek(), "+") || is_sign(cursor.peek(), "−"))) {
             const Node& sign = cursor.next();
             minus = is_sign(sign, "−");
-            if (cursor.at_end()) { fail(sign, "nothing stands after this sign"); }
+            if (cursor.at_end()) { fail(sign, "nothing follows this sign"); }
             const V next = term(cursor);
             value = at(first, [&] { return minus ? difference(value, next) : sum(value, next); });
         }
@@ -71,7 +71,7 @@ private:
     static bool sign_before(RowCursor& cursor) {
         if (!is_sign(cursor.peek(), "−") && !is_sign(cursor.peek(), "+")) { return false; }
         const Node& sign = cursor.next();
-        if (cursor.at_end()) { fail(sign, "nothing stands after this sign"); }
+        if (cursor.at_end()) { fail(sign, "nothing follows this sign"); }
         return is_sign(sign, "−");
     }
 
@@ -89,7 +89,7 @@ private:
             const bool is_cross = is_sign(node, "×");
             const bool is_ratio = is_sign(node, "/");
             if (is_dot || is_cross || is_ratio) { cursor.next(); }
-            if (cursor.at_end()) { fail(node, "nothing stands after this sign"); }
+            if (cursor.at_end()) { fail(node, "nothing follows this sign"); }
             const V next = factor(cursor);
             value = at(node, [&] {
                 if (is_cross) { return cross(value, next); }
@@ -100,7 +100,7 @@ private:
         return value;
     }
 
-    /// Reports a digit behind a power, as in 10^12, which is read as 10^1 times 2.
+    /// Reports a digit after a power, as in 10^12, which is read as 10^1 times 2.
     static void refuse_digit_behind(const Node& before, const Node& node) {
         const bool is_power = before.above.size() == 1 && is_kind(before.above[0], SignKind::number);
         if (is_power && is_kind(node, SignKind::number) && node.from == before.above[0].to) {
@@ -161,7 +161,7 @@ private:
 
     /// Derivative of the expression in parentheses, or of the whole product that follows.
     V differentiated(RowCursor& cursor, const Node& node, int order) const {
-        if (cursor.at_end()) { fail(node, "nothing stands after this operator"); }
+        if (cursor.at_end()) { fail(node, "nothing follows this operator"); }
         V value = in_brackets(cursor.peek()) ? factor(cursor) : term(cursor);
         return at(node, [&] {
             for (int k = 0; k < order; ++k) { value = derivative(value); }
@@ -171,7 +171,7 @@ private:
 
     V function(RowCursor& cursor, const Node& node) const {
         const std::string& name = std::get<math::Sign>(node.nucleus).utf8;
-        if (cursor.at_end()) { fail(node, "nothing stands after this function"); }
+        if (cursor.at_end()) { fail(node, "nothing follows this function"); }
         if (name == "atan2") { return angle_of_two(cursor, node); }
         Superscript script;
         if (read_superscript(node.above, script) && script.power.size() == 2 &&
@@ -275,7 +275,7 @@ private:
 
     V quantity(const Node& node, const std::string& name) const {
         const std::optional<V> value = meanings_->words ? meanings_->words(name) : std::nullopt;
-        if (!value) { fail(node, "'" + name + "' is no quantity here", "docs/quantities.md lists them"); }
+        if (!value) { fail(node, "'" + name + "' is not a quantity here", "docs/quantities.md lists them"); }
         return *value;
     }
 
@@ -284,7 +284,7 @@ private:
             const double x = std::strtod(sign.utf8.c_str(), nullptr);
             return with_superscript(V::written(x), node);
         }
-        if (sign.kind != SignKind::letter) { fail(node, "'" + sign.utf8 + "' cannot stand here"); }
+        if (sign.kind != SignKind::letter) { fail(node, "'" + sign.utf8 + "' cannot be used here"); }
         return symbol_value(node, sign.utf8, {});
     }
 
@@ -377,7 +377,7 @@ private:
     /// Value with the superscript of a node that is not a symbol: only transposes and powers are allowed.
     V with_superscript(const V& value, const Node& node) const {
         Superscript script;
-        if (!node.below.empty()) { fail(node, "a subscript cannot stand here"); }
+        if (!node.below.empty()) { fail(node, "a subscript cannot be used here"); }
         if (!read_superscript(node.above, script)) {
             fail(node, "this exponent is neither T nor a number", "write \\exp(x) for a power of e");
         }

@@ -30,9 +30,12 @@ void limit_scale(Value& out, const Value& argument, double n) {
     out.scale[0] = std::max(std::abs(out.d[0](0, 0)), std::min(out.scale[0], most));
 }
 
-Value arc_cosine(const Value& a) {
+/// @param name  of the function that is computed with it
+Value arc_cosine(const Value& a, const std::string& name) {
     const double x = a.d[0](0, 0);
-    if (std::abs(x) > 1.0 + kRounding * a.scale[0]) { throw NoValue("an arccos is taken of more than 1"); }
+    if (std::abs(x) > 1.0 + kRounding * a.scale[0]) {
+        throw NoValue(name + " is taken of a number that is not between -1 and 1");
+    }
     const double s = std::sqrt(std::max(0.0, 1.0 - x * x));
     Value out = function_of(a, elementary::acos(std::clamp(x, -1.0, 1.0)), -1.0 / s, -x / (s * s * s));
     limit_scale(out, a, 0.5);
@@ -127,7 +130,9 @@ Value square_root(const Value& a) {
 
 Value length(const Value& a) {
     if (a.kind == Kind::zero) { return a; }
-    if (a.kind != Kind::matrix) { throw Mismatch("the length of I has no shape"); }
+    if (a.kind != Kind::matrix) {
+        throw Mismatch("the size of I is not known inside |...|; expected a vector");
+    }
     if (a.is_number()) {
         const double x = a.d[0](0, 0);
         return function_of(a, std::abs(x), x < 0.0 ? -1.0 : 1.0, 0.0);
@@ -161,11 +166,11 @@ std::optional<Value> value_of_function(const std::string& name, const Value& arg
         const double q = 1.0 / (1.0 + v * v);
         return function_of(x, elementary::atan(v), q, -2.0 * v * q * q);
     }
-    if (name == "arccos") { return arc_cosine(x); }
-    if (name == "arcsin") { return difference(literal(0.5 * std::numbers::pi), arc_cosine(x)); }
+    if (name == "arccos") { return arc_cosine(x, name); }
+    if (name == "arcsin") { return difference(literal(0.5 * std::numbers::pi), arc_cosine(x, name)); }
     if (name == "exp") {
         const double e = elementary::exp(v);
-        if (!std::isfinite(e)) { throw NoValue("an exponential is beyond all numbers"); }
+        if (!std::isfinite(e)) { throw NoValue("the result of exp is too large"); }
         return function_of(x, e, e, e);
     }
     if (name == "ln") {

@@ -28,7 +28,7 @@ struct Term {
     double written_number() const { return steps.front().number; }
 
     static Term written(double number) { return {{{Kind::number, number}}, 1, true, -1}; }
-    static Term unit_matrix() { throw Mismatch("a unit matrix stands in a formula of numbers"); }
+    static Term unit_matrix() { throw Mismatch("this formula can contain only numbers, not a unit matrix"); }
 };
 
 /// Largest number of steps: more are data, not a formula.
@@ -50,7 +50,7 @@ Term with_step(Term a, const Term& b, Kind kind) {
 }
 
 Term computed(double number) {
-    if (!std::isfinite(number)) { throw NoValue("this number does not exist"); }
+    if (!std::isfinite(number)) { throw NoValue("this number is not finite"); }
     return Term::written(number);
 }
 
@@ -89,7 +89,7 @@ Term power(const Term& a, double n) {
 Term as_number(const Term& a) { return a; }
 
 [[noreturn]] Term refuse(const char* what) {
-    throw Mismatch(std::string(what) + " stands in a formula of numbers");
+    throw Mismatch(std::string("this formula can contain only numbers, not ") + what);
 }
 Term cross(const Term& /*a*/, const Term& /*b*/) { refuse("a product × of vectors"); }
 Term transposed(const Term& /*a*/) { refuse("a transpose"); }
@@ -279,9 +279,12 @@ std::optional<Entries> value_of_function(const std::string& name, const Entries&
 Entries arc_tangent_of_two(const Entries& y, const Entries& x) {
     return Entries::number(of_numbers::arc_tangent_of_two(number_of(y, "atan2"), number_of(x, "atan2")));
 }
-Entries minus_operator(const Entries& /*a*/) { throw Mismatch("a bar stands in a formula of a joint"); }
+Entries minus_operator(const Entries& /*a*/) {
+    throw Mismatch("the formula of a joint cannot contain a bar");
+}
 Entries derivative(const Entries& /*a*/) {
-    throw Mismatch("a derivative stands in a formula of a joint; expected positions and directions only");
+    throw Mismatch(
+        "the formula of a joint cannot contain a derivative; expected positions and directions only");
 }
 
 Entries vector(FormulaVector v) {
@@ -318,7 +321,7 @@ std::vector<Meaning> meanings() {
 std::optional<Entries> meaning_of(const Symbol& symbol) {
     static const std::vector<Meaning> all = meanings();
     if (symbol == Symbol{"t", 0, {}, {}}) {
-        throw Mismatch("the time t stands in a formula of a joint; a driver prescribes a motion");
+        throw Mismatch("the formula of a joint cannot contain the time t; a driver prescribes a motion");
     }
     const auto found = std::ranges::find(all, symbol, &Meaning::symbol);
     return found == all.end() ? std::nullopt : std::optional(found->value);

@@ -39,7 +39,9 @@ Value mapped(const Value& a, F&& f) {
 }
 
 void require_matrix(const Value& a, const std::string& what) {
-    if (a.kind != Kind::matrix) { throw Mismatch(what + " of 0 or I has no shape"); }
+    if (a.kind != Kind::matrix) {
+        throw Mismatch(what + " cannot be taken of 0 or I, whose size is not known");
+    }
 }
 
 void require_vector(const Value& a, const std::string& what) {
@@ -54,7 +56,7 @@ Value shaped(const Value& a, Eigen::Index rows, Eigen::Index cols) {
     if (a.kind == Kind::zero) { return constant(MatrixX::Zero(rows, cols)); }
     if (rows != cols) {
         throw Mismatch(
-            "I stands where " + std::to_string(rows) + " x " + std::to_string(cols) + " is needed");
+            "I is square, but " + std::to_string(rows) + " x " + std::to_string(cols) + " is needed");
     }
     return mapped(
         a, [&](const MatrixX& factor) -> MatrixX { return factor(0, 0) * MatrixX::Identity(rows, rows); });

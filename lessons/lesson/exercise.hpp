@@ -32,7 +32,7 @@ inline constexpr std::array kExerciseKinds{
     EnumWord<ExerciseKind>{ExerciseKind::choose, "choose", tr_later("one of the choices")},
     EnumWord<ExerciseKind>{ExerciseKind::order, "order", tr_later("the right order")},
     EnumWord<ExerciseKind>{ExerciseKind::code, "code", tr_later("a program")},
-    EnumWord<ExerciseKind>{ExerciseKind::repair, "repair", tr_later("a mended lesson file")},
+    EnumWord<ExerciseKind>{ExerciseKind::repair, "repair", tr_later("a repaired lesson file")},
     EnumWord<ExerciseKind>{ExerciseKind::build, "build", tr_later("a lesson file with joints added")},
     EnumWord<ExerciseKind>{ExerciseKind::experiment, "experiment", tr_later("a list of experiments")}};
 

@@ -105,10 +105,10 @@ private:
             if (take("'") || take("′")) {
                 node.above.push_back(made(Sign{"′", SignKind::ordinary}, at));
             } else if (take("_")) {
-                if (std::exchange(lower, true)) { fail(at, "a second subscript of the same sign"); }
+                if (std::exchange(lower, true)) { fail(at, "this symbol already has a subscript"); }
                 node.below = read_argument("after '_'", inner_alphabet(alphabet));
             } else if (take("^")) {
-                if (std::exchange(upper, true)) { fail(at, "a second superscript of the same sign"); }
+                if (std::exchange(upper, true)) { fail(at, "this symbol already has a superscript"); }
                 const Alphabet style = begins_name() ? Alphabet::upright : inner_alphabet(alphabet);
                 Row above = read_argument("after '^'", style);
                 set_upright(above);

@@ -300,7 +300,7 @@ struct GeometryReader {
     }
 
     void read_curve() {
-        fields.require("curve", "a table, as { points = [...] } or { cos = [...], sin = [...] }");
+        fields.require("curve", "a table such as { points = [...] } or { cos = [...], sin = [...] }");
         const int errors = fields.problems().errors_count();
         auto curve = fields.table("curve");
         if (!curve) { return; }

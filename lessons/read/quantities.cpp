@@ -101,7 +101,7 @@ std::optional<NamedQuantity> read_quantity(
         fields.problems().warn(
             Code::old_name, text.span,
             in_quotes(text.value) + " is now called " + in_quotes(read->name_of_today),
-            "the old name goes with the next version");
+            "the next version will not accept the old name");
     }
     NamedQuantity out = read->named;
     if (read->wants_point) {

@@ -77,7 +77,8 @@ void read_plain_facts(Fields& fields, const std::optional<Moment>& when, Facts& 
             if (verdict.value == Verdict::closes && is_at_rest) {
                 fields.report(
                     Code::no_motion, value->span,
-                    "an equilibrium closes; expected another moment for 'closes', or 'stable'");
+                    "'closes' cannot be claimed of an equilibrium, which is assembled; expected another "
+                    "moment, or 'stable'");
             }
             if (verdict.value == Verdict::stable && when && !is_at_rest) {
                 fields.report(

@@ -97,8 +97,8 @@ std::optional<ScalarFormula> read_law(Fields& fields, const char* letter) {
     const bool angle = symbol.letter != "d";
     return read_scalar_formula(
         fields, "law", variables,
-        angle ? "numbers, \\theta in rad and \\dot{\\theta}, as 2 \\theta^3 + 0.1 \\dot{\\theta}"
-              : "numbers, d in m and \\dot{d}, as 50 d + 200 d^3");
+        angle ? "numbers, \\theta in rad and \\dot{\\theta}, such as 2 \\theta^3 + 0.1 \\dot{\\theta}"
+              : "numbers, d in m and \\dot{d}, such as 50 d + 200 d^3");
 }
 
 /// Keys `stiffness`, `damping`, `friction` and `law`, at least one of them.

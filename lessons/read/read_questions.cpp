@@ -144,7 +144,7 @@ std::optional<Answer> read_pointed(Fields& fields, const Reading& reading) {
         if (const auto found = fields.word("rows", kRowsFound)) { answer.found = *found; }
         if (fields.has("rows")) { return answer.found ? std::optional<Answer>(answer) : std::nullopt; }
     }
-    fields.require("right", "names of those that are right, as [\"hinge s_i\"]");
+    fields.require("right", "names of those that are right, such as [\"hinge s_i\"]");
     answer.right = read_right_things(fields, reading, *kind);
     return answer.right.empty() ? std::nullopt : std::optional<Answer>(answer);
 }

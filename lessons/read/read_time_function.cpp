@@ -152,7 +152,7 @@ std::optional<TimeFormula> read_time_formula(Fields& fields, const ValueKeys& ke
     if (keys.angle && !fields.at_most_one({"formula_deg", "formula_rad"})) { return std::nullopt; }
     const std::string key = keys.name_in(fields, "formula");
     auto formula = read_scalar_formula(
-        fields, key, formula::time_only(), "numbers and the time t, in s, as 0.2 \\sin(3 t)");
+        fields, key, formula::time_only(), "numbers and the time t, in s, such as 0.2 \\sin(3 t)");
     if (!formula) { return std::nullopt; }
     return TimeFormula{std::move(*formula), key == "formula_deg" ? radians(1.0) : 1.0};
 }

@@ -36,7 +36,7 @@ bool read_format(Fields& root, const toml::table& table) {
     if (std::ranges::any_of(table, [&](const auto& entry) { return is_before(entry.first); })) {
         root.report(
             Code::format_not_first, format->span,
-            "'format' stands after other keys; expected it as the first key");
+            "'format' comes after other keys; expected it as the first key");
     }
     return true;
 }

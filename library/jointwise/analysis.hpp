@@ -20,14 +20,14 @@ struct Pose {
     std::vector<double> theta;  ///< artificial coordinates of screws [rad]
 };
 
-/// Velocities, or accelerations in their places.
+/// Velocities, or accelerations under the same names.
 struct Rates {
     std::vector<Vector3> r_dot;        ///< [m/s]
     std::vector<Vector3> omega_local;  ///< in the frame of the body [rad/s]
     std::vector<double> theta_dot;     ///< [rad/s]
 };
 
-/// The numerics failed; `what()` names time and joint.
+/// The numerical methods did not reach a result; `what()` names the time and the joint.
 class NotReached : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

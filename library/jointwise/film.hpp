@@ -30,15 +30,15 @@ struct FilmOptions {
 class Film {
 public:
     /// A film of a lesson that fails at a step ends there, and shows the failure.
-    /// @throws std::invalid_argument for options that make no sense
+    /// @throws std::invalid_argument for invalid options
     Film(const Lesson& lesson, const FilmOptions& options);
 
     double seconds() const;  ///< [s]
     int pictures() const;
     const FilmOptions& options() const { return options_; }
 
-    /// Writes the film, whole or not at all. The ending of the name selects the format: .gif, .apng, .html,
-    /// and with ffmpeg .mp4 and .webm, which have their captions in files beside them.
+    /// Writes the film completely or not at all. The extension selects the format: .gif, .apng, .html, or
+    /// with ffmpeg .mp4, .webm (and a file of captions beside them).
     /// @param go_on  called after each picture; false ends with NotReached, and no file is left
     /// @throws std::invalid_argument for a format that does not support the options, std::runtime_error if
     /// the film cannot be drawn or written

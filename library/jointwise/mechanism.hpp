@@ -67,8 +67,8 @@ struct Place {
 using Polynomial = std::vector<double>;
 
 /// A mechanism as data; it can be copied. Numbers of bodies and joints count from 0; body 0 is the ground,
-/// which does not move. Every function throws std::invalid_argument if an argument makes no sense, and leaves
-/// the mechanism unchanged.
+/// which does not move. Every function throws std::invalid_argument for an invalid argument, and leaves the
+/// mechanism unchanged.
 class Mechanism {
 public:
     Mechanism();

@@ -24,7 +24,7 @@ Image draw(const Lesson& lesson, const Pose& pose, int width = 1280, int height 
 
 /// The bytes of a PNG file.
 std::vector<std::uint8_t> png_of(const Image& image);
-/// Writes a PNG file, whole or not at all. @throws std::runtime_error
+/// Writes a PNG file completely or not at all. @throws std::runtime_error
 void write_png(const Image& image, const std::filesystem::path& file);
 
 }  // namespace JOINTWISE_ABI

@@ -31,7 +31,7 @@ DeviceRect device_rect(const Rect& rect, const FrameSize& frame, const FramePart
 /// All pixels of the buffers of a part.
 DeviceRect device_rect(const FramePart& part, const FrameSize& frame);
 
-/// The part of a rectangle of the frame that lies in the buffers of a part.
+/// Pixels of `rect` that lie in the buffers of `part`.
 DeviceRect shown_rect(const Rect& rect, const FrameSize& frame, const FramePart& part);
 
 /// Intersection; empty if the two do not overlap.

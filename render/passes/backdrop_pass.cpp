@@ -169,7 +169,7 @@ void BackdropPass::draw_lit_ground(
 }
 
 /// Draws the shadows over the lit plane; the shadow map of `shadow` must be bound.
-/// @param part  there are no shadows outside of it; none: they can be anywhere
+/// @param part  part of the plane outside which there are no shadows; empty if they can be anywhere
 void BackdropPass::draw_ground_shadow(
     const SceneView& view, const Ground& ground, const ShadowView& shadow,
     const std::optional<Parallelogram>& part, Tone tone) const {

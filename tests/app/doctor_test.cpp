@@ -43,7 +43,7 @@ TEST_CASE("doctor finds everything that is needed for pictures here", "[app][doc
     INFO(ran.out);
     CHECK(ran.status == 0);
     CHECK(ran.err.empty());
-    CHECK_THAT(ran.out, Catch::Contains("offscreen  draws right"));
+    CHECK_THAT(ran.out, Catch::Contains("offscreen  draws correctly"));
     CHECK_THAT(ran.out, Catch::Contains("OpenGL "));
     CHECK_THAT(ran.out, Catch::Contains("window     this build has no window"));
     CHECK_THAT(ran.out, Catch::Contains("DejaVuSansMono.ttf (package fonts-dejavu-core)"));

@@ -43,7 +43,7 @@ TEST_CASE("explain refuses a code that is none, and offers the nearest", "[app][
     CHECK(near.out.empty());
     CHECK(
         near.err ==
-        "jointwise: error: no code 'jw219'; expected one as JW301\nhint: did you mean 'JW209'?\n");
+        "jointwise: error: no code 'jw219'; expected one such as JW301\nhint: did you mean 'JW209'?\n");
     CHECK_THAT(run({"explain", "four-bar"}).err, Catch::Contains("hint: 'jointwise explain' lists them"));
 }
 

@@ -51,7 +51,7 @@ TEST_CASE("new never overwrites a file, nor follows a link", "[app][new]") {
     for (const char* const name : {"mine", "mine.toml", "link"}) {
         const Ran ran = run({"new", folder.path(name)});
         CHECK(ran.status == 2);
-        CHECK_THAT(ran.err, Catch::Contains("is there already, and stays as it is; expected another name"));
+        CHECK_THAT(ran.err, Catch::Contains("already exists and is not changed; expected another name"));
     }
     CHECK(bytes_of(file) == "mine");
     CHECK_FALSE(std::filesystem::exists(folder.path("nowhere")));

@@ -46,7 +46,7 @@ TEST_CASE("open refuses an address that leads nowhere, with what was expected", 
     CHECK(
         refused("#four-bar?try=form+E+rule")
             .find("'form E rule': no joint 'E'; expected one of A, B, C, D") != std::string::npos);
-    CHECK(refused("#four-bar?tab=%").find("at character 15: '%' is no character") != std::string::npos);
+    CHECK(refused("#four-bar?tab=%").find("at character 15: '%' is not a character") != std::string::npos);
     CHECK(refused("#four-bar?tab=plot").find("no tab 'plot'") != std::string::npos);
 }
 

@@ -147,12 +147,12 @@ TEST_CASE(
         {head + "titel = \"Z\"\n", ":5:1: error: unknown key 'titel' in chapter 'z'"},
         {head + "needs = [\"m\"]\n",
          ":5:10: error: no chapter 'm' comes before this one; expected an empty list"},
-        {head + "lessons = [\"a\"]\n", ":5:12: error: 'a' is no name of a lesson file"},
-        {head + "lessons = [\"../a.toml\"]\n", ":5:12: error: '../a.toml' is no name of a lesson file"},
+        {head + "lessons = [\"a\"]\n", ":5:12: error: 'a' is not the name of a lesson file"},
+        {head + "lessons = [\"../a.toml\"]\n", ":5:12: error: '../a.toml' is not the name of a lesson file"},
         {head + "lessons = [\"a.toml\", \"a.toml\"]\n", ":5:22: error: the lesson 'a.toml' is named twice"},
         {head + "[[chapter]]\nname = \"z\"\ntitle = \"Z\"\n", ":6:8: error: there are two chapters 'z'"},
         {"format = 1\n[[chapter]]\nname = \"a/b\"\ntitle = \"Z\"\n",
-         ":3:8: error: 'a/b' is no name of a folder"},
+         ":3:8: error: 'a/b' is not the name of a folder"},
         {head + "lessons = 3\n", ":5:11: error: 'lessons' is a number"}};
     const School school;
     for (const auto& [text, says] : cases) {

@@ -105,7 +105,7 @@ const Misfit kMisfits[] = {
     {"\\ddot{\\omega}_i = 0", 0, "a derivative is not known"},
     {"\\det(s_i) = 0", 0, "the determinant of 3 x 1"},
     {"s_i / d = 0", 4, "divided by 3 x 1"},
-    {"\\text{foo} = 0", 0, "is no quantity"},
+    {"\\text{foo} = 0", 0, "is not a quantity"},
     {"s_i^x = 0", 0, "'s_i^x' has no meaning"},
 };
 

@@ -181,9 +181,9 @@ TEST_CASE("What is wrong with a language is said", "[languages]") {
     check_says(
         kHingeInOneLanguage + "zh-Hant.axis = [0, 0, 1]", Code::unknown_key, "unknown key 'axis' in zh-Hant");
     check_says(
-        kHingeInOneLanguage + "zh_Hant.text = \"a\"", Code::language_tag, "'zh_Hant' is no language tag");
+        kHingeInOneLanguage + "zh_Hant.text = \"a\"", Code::language_tag, "'zh_Hant' is not a language tag");
     check_says(
-        kHingeInOneLanguage + "zh-hant.text = \"a\"", Code::language_tag, "'zh-hant' is no language tag");
+        kHingeInOneLanguage + "zh-hant.text = \"a\"", Code::language_tag, "'zh-hant' is not a language tag");
     check_says(kHingeInOneLanguage + "zh-Hant.text = \"$\\\\fraction$\"", Code::unreadable_formula, "");
     check_says(kHingeInOneLanguage + "zh-Hant.text = 3", Code::wrong_type, "'zh-Hant.text' is a number");
     check_says(kHingeInOneLanguage + "de = \"a\"", Code::unknown_key, "unknown key 'de'");

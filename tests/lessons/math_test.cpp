@@ -57,7 +57,7 @@ struct Wrong {
 const Wrong kWrong[] = {
     {R"(\alhpa)", 0, "unknown command \\alhpa"},
     {R"(x + \frac{1}{2)", 14, "expected '}'"},
-    {"x_a_b", 3, "second subscript"},
+    {"x_a_b", 3, "already has a subscript"},
     {"x^", 2, "expected a sign or a group"},
     {"a }", 2, "closes nothing"},
     {R"(\left( x)", 8, "expected '\\right'"},

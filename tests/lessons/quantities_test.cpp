@@ -352,7 +352,7 @@ TEST_CASE("Claims that nothing can judge are refused with their place", "[lesson
         "reactions belong to a motion or an equilibrium; expected 'at_s' or 'at_rest'");
     CHECK(report_of("at_rest = true\nquantity = \"pin.force.x\"\n" + value, true) == "");
     says("at_rest = true\nquantity = \"pin.angle_dot\"\n" + value, true, "nothing moves at rest");
-    says("at_rest = true\ncloses = true\n", true, "an equilibrium closes");
+    says("at_rest = true\ncloses = true\n", true, "'closes' cannot be claimed of an equilibrium");
     says("at_rest = true\ncloses = true\n", false, "no forces lead to an equilibrium; expected masses");
     says("stable = true\n", true, "expected 'at_rest = true' beside 'stable'");
     says("at_s = 3\nquantity = \"energy.sum\"\n" + value, true, "from 0 to 'duration' of [dynamics]");

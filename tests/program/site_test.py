@@ -257,7 +257,7 @@ with tempfile.TemporaryDirectory() as place:
     (lessons / "._four-bar.toml").write_bytes(b"\xff\0")
     told = run("site", *common, "--out", out, "--slides", "https://example.org/s.pdf").stderr
     for name in ["pipe.toml", "broken.toml", "folder.toml"]:
-        assert f"{lessons / name}: this is no file of text, and is left out" in told, told
+        assert f"{lessons / name}: this is not a regular file, and is left out" in told, told
     assert "._four-bar.toml: its name begins with a dot, and is left out" in told, told
     assert 'href="https://example.org/s.pdf#page=8"' in (out / "slides.html").read_text() and not (out / "slides.pdf").exists()
     for name in ["._four-bar.toml", "pipe.toml", "broken.toml"]:
@@ -270,15 +270,15 @@ with tempfile.TemporaryDirectory() as place:
     stranger.mkdir()
     (stranger / "thesis.txt").write_text("mine\n")
     refused = [
-        ([*common, "--out", stranger], "is no part of a site"),
-        ([*common, "--out", lessons / "out"], "lie in one another"),
-        ([place / "nowhere", "--page", page, "--out", out], "is no folder"),
+        ([*common, "--out", stranger], "is not part of a site"),
+        ([*common, "--out", lessons / "out"], "contains the other"),
+        ([place / "nowhere", "--page", page, "--out", out], "is not a folder"),
         ([stranger, "--page", page, "--out", out], "no lessons are below"),
         ([lessons, "--page", stranger, "--out", out], "./dev web"),
         ([*common, "--out", out, "--slides", place / "none.pdf"], "--slides: there is no file"),
-        ([*common, "--out", out, "--slides", stranger / "thesis.txt"], "is no PDF"),
+        ([*common, "--out", out, "--slides", stranger / "thesis.txt"], "is not a PDF"),
         ([*common, "--out", ""], "--out: the name is empty"),
-        ([*common, "--out", out, "--exercises", place / "none"], "is no folder"),
+        ([*common, "--out", out, "--exercises", place / "none"], "is not a folder"),
     ]
     for arguments, words in refused:
         assert words in run("site", *arguments, status=2).stderr, (arguments, words)
@@ -289,13 +289,13 @@ with tempfile.TemporaryDirectory() as place:
     assert "differ in capitals alone" in run("site", twice, "--page", page, "--out", out, status=2).stderr
     # from within, by a path that begins with a folder that does not exist
     inside = subprocess.run([program, "site", ".", "--page", page, "--out", "public"], cwd=lessons, capture_output=True, text=True)
-    assert inside.returncode == 2 and "lie in one another" in inside.stderr and not (lessons / "public").exists(), inside
+    assert inside.returncode == 2 and "contains the other" in inside.stderr and not (lessons / "public").exists(), inside
     # a list of the site that was changed, or that is not a list
     manifest = (out / "site.json").read_text()
     for text, words in [
-        ('{"format": "jointwise site"}', "is no list of a site"),
-        ('{"format": 5, "version": 1, "top": []}', "is no list of a site"),
-        ("mine", "is no list of a site"),
+        ('{"format": "jointwise site"}', "is not the list of a site"),
+        ('{"format": 5, "version": 1, "top": []}', "is not the list of a site"),
+        ("mine", "is not the list of a site"),
         ('{"format": "jointwise site", "version": 2, "top": []}', "newer Jointwise"),
     ]:
         (out / "site.json").write_text(text)

@@ -201,7 +201,7 @@ def widths_of_mesa(place):
     check(ran.returncode == 0, f"doctor with registers of 128 bits: {ran.returncode} {ran.stdout}")
     for setting in ({"LP_NATIVE_VECTOR_WIDTH": "512"}, {"DRAW_USE_LLVM": "0"}):
         ran = run("doctor", env=wide(setting))
-        check(ran.returncode == 3 and "a surface draws wrong" in ran.stdout, f"doctor with {setting}: {ran.returncode}")
+        check(ran.returncode == 3 and "a surface draws incorrectly" in ran.stdout, f"doctor with {setting}: {ran.returncode}")
     is_told(run(*commands(place)["plot"], env=wide({"LP_NATIVE_VECTOR_WIDTH": "512"})), "a plot", ["set it to 128 or 256"])
 
 
@@ -216,7 +216,7 @@ def many_at_once(place):
         running = [subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) for _ in range(at_once)]
         for process in running:
             error = process.communicate()[1]
-            is_told = name == "render" and process.returncode == 2 and "another run draws into at this moment" in error
+            is_told = name == "render" and process.returncode == 2 and "is in use by another run" in error
             check(process.returncode == 0 or is_told, f"{name}, {at_once} at once: {process.returncode} {error[-300:]}")
         run(*commands(alone)[name])
     names = {path.relative_to(alone) for path in alone.rglob("*")}

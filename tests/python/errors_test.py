@@ -17,8 +17,8 @@ class Errors(unittest.TestCase):
         for words, call in (
             ("'one' is taken", lambda: m.add_body("one", [0, 0, 0])),
             ("r has 2 numbers; expected 3", lambda: m.add_body("x", [0, 0])),
-            ("r is no array of numbers", lambda: m.add_body("x", ["a", "b", "c"])),
-            ("r is no array of numbers", lambda: m.add_body("x", [[1, 2], [3]])),
+            ("r is not an array of numbers", lambda: m.add_body("x", ["a", "b", "c"])),
+            ("r is not an array of numbers", lambda: m.add_body("x", [[1, 2], [3]])),
             ("not finite", lambda: m.add_body("x", [np.nan, 0, 0])),
             ("no joint type 'revolut'", lambda: m.add_joint("x", "revolut", 0, 1)),
             ("no body 3; the last is 2", lambda: m.add_joint("x", "revolute", 0, 3)),
@@ -28,9 +28,9 @@ class Errors(unittest.TestCase):
             ("pitch is absent", lambda: m.add_joint("x", "screw", 0, 1)),
             ("'ball' has no angle", lambda: m.add_driver("x", "ball", [1])),
             ("no joint 'x'", lambda: m.add_driver("x", "x", [1])),
-            ("value is no list of numbers", lambda: m.add_driver("x", "ball", 3.0)),
+            ("value is not a list of numbers", lambda: m.add_driver("x", "ball", 3.0)),
             ("not positive", lambda: m.set_mass(1, 0, np.eye(3))),
-            ("J_local is no matrix", lambda: m.set_mass(1, 1, [1, 1, 1])),
+            ("J_local is not a 3 x 3 matrix", lambda: m.set_mass(1, 1, [1, 1, 1])),
         ):
             with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):
                 call()
@@ -51,11 +51,11 @@ class Errors(unittest.TestCase):
             ("expected one of euler", lambda: jw.simulate(pendulum(), [0, 1], method="rk5")),
             ("mass", lambda: jw.simulate(m, [0, 1])),
             ("no coordinates 'polar'; expected one of true_euler", lambda: jw.Evaluator(m, "polar")),
-            ("of another mechanism", lambda: evaluator.equations_at(pose, out=small)),
+            ("to another mechanism", lambda: evaluator.equations_at(pose, out=small)),
             ("r has 2 entries; expected 4", lambda: setattr(pose, "r", [[1, 2, 3], [1, 2, 3]])),
-            ("r is no table of 3 columns", lambda: setattr(pose, "r", [1, 2, 3])),
+            ("r is not a table of 3 columns", lambda: setattr(pose, "r", [1, 2, 3])),
             ("time is not finite", lambda: jw.assemble(m, np.nan)),
-            ("one row per body", lambda: jw.Pose(0, [[0, 0, 0]], np.eye(4))),
+            ("one row for each body", lambda: jw.Pose(0, [[0, 0, 0]], np.eye(4))),
             ("no lesson 'loops/none'", lambda: jw.lesson_file("loops/none")),
         ):
             with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):

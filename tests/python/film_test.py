@@ -70,7 +70,7 @@ class Films(unittest.TestCase):
             with self.subTest(options=options):
                 self.assertRaisesRegex(ValueError, words, lesson.film, **options)
         film = lesson.film(from_="t=0.5", to="t=0.5", loop=True, **SMALL)
-        self.assertRaisesRegex(ValueError, "is no film; expected .gif, .apng, .mp4", film.save, "film.avi")
+        self.assertRaisesRegex(ValueError, "is not a film; expected .gif, .apng, .mp4", film.save, "film.avi")
         self.assertRaisesRegex(ValueError, "loop is only for .gif and .apng", film.save, self.folder / "film.html")
 
     def test_a_signal_ends_it_and_leaves_nothing(self):

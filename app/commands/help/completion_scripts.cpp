@@ -28,7 +28,7 @@ std::vector<std::string> all_names(const CommandHelp& command) {
 /// True for "snapshot record", which is proposed only after "snapshot".
 bool is_part(const CommandHelp& command) { return command.name.find(' ') != std::string::npos; }
 
-/// "snapshot" for "snapshot record", nothing for "render".
+/// Command that a subcommand belongs to: "snapshot" for "snapshot record"; empty for "render".
 std::string whole_of(const CommandHelp& command) {
     const std::size_t space = command.name.rfind(' ');
     return space == std::string::npos ? "" : command.name.substr(0, space);

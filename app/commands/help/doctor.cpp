@@ -94,7 +94,7 @@ std::set<std::string> packages_of(const Diagnosis& diagnosis) {
 }
 
 std::string describe(const SurfaceReport& surface) {
-    std::string text = surface.state == Outcome::right ? "draws right" : surface.problem;
+    std::string text = surface.state == Outcome::right ? "draws correctly" : surface.problem;
     if (!surface.renderer.empty()) {
         text += "\n             " + surface.renderer + ", OpenGL " + surface.gl_version + ", " +
                 std::to_string(surface.samples) + (surface.samples == 1 ? " sample" : " samples");
@@ -123,7 +123,7 @@ std::string wishes_of(const Diagnosis& diagnosis) {
     return text;
 }
 
-/// True if nothing is missing and nothing draws wrong: at most, parts are damaged.
+/// True if nothing is missing and nothing draws incorrectly: at most, parts are damaged.
 bool only_damaged(const Diagnosis& diagnosis) {
     const auto fits = [](Outcome state) {
         return state != Outcome::missing && state != Outcome::draws_wrong;
@@ -210,7 +210,7 @@ std::string verdict_of(const Diagnosis& diagnosis) {
     if (exit_of(diagnosis) == Exit::done) { return "everything needed is there" + wishes_of(diagnosis); }
     std::string text = "something needed is missing";
     if (only_damaged(diagnosis)) { text = "something needed is damaged"; }
-    if (exit_of(diagnosis) == Exit::numerics) { text = "a surface draws wrong"; }
+    if (exit_of(diagnosis) == Exit::numerics) { text = "a surface draws incorrectly"; }
     const std::set<std::string> packages = packages_of(diagnosis);
     if (!packages.empty()) {
         text += "; install it:\n  apt-get install";

@@ -36,7 +36,8 @@ struct Diagnosis {
 /// Checks everything; takes about a second.
 Diagnosis diagnose(const SurfaceDoctor& doctor_window);
 
-/// numerics (3) if a surface draws wrong, bad_input (2) if something is missing or damaged, otherwise done.
+/// numerics (3) if a surface draws incorrectly, bad_input (2) if something is missing or damaged, otherwise
+/// done.
 Exit exit_of(const Diagnosis& diagnosis);
 /// "everything needed is there", or what to do.
 std::string verdict_of(const Diagnosis& diagnosis);

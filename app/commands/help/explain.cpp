@@ -25,8 +25,8 @@ const char* words_for(Setting setting) {
     switch (setting) {
         case Setting::whole: return "the whole file";
         case Setting::head: return "at the beginning of the lesson about a crank and a slider";
-        case Setting::behind: return "behind the lesson about a crank and a slider";
-        case Setting::masses: return "behind the lesson about a crank and a slider that have masses";
+        case Setting::behind: return "after the lesson about a crank and a slider";
+        case Setting::masses: return "after the lesson about a crank and a slider that have masses";
         case Setting::course: return "a course.toml";
         case Setting::path: break;
     }
@@ -71,7 +71,7 @@ void write_markdown_page(const Explanation& page, std::ostream& out) {
         << words_for(page.setting) << "):\n\n"
         << fenced(example_or_nothing(page.wrong), page.wrong.empty() ? "" : language);
     if (!says.empty()) { out << '\n' << fenced(says, ""); }
-    out << "\nMended:\n\n" << fenced(page.right, language);
+    out << "\nCorrected:\n\n" << fenced(page.right, language);
 }
 
 Json json_of_page(const Explanation& page) {
@@ -107,7 +107,7 @@ void write_page(const Explanation& page, std::ostream& out) {
         << indented(page.cure) << "\nWrong (" << words_for(page.setting) << "):\n"
         << indented(example_or_nothing(page.wrong));
     for (const std::string& line : messages_of(page)) { out << line << '\n'; }
-    out << "\nMended:\n" << indented(page.right);
+    out << "\nCorrected:\n" << indented(page.right);
 }
 
 /// Pages as Markdown; all of them are docs/diagnostics.md.
@@ -145,7 +145,7 @@ CommandError no_code(const std::string& typed) {
     if (!meant.starts_with("JW")) { meant = "JW" + meant; }
     const std::string hint = did_you_mean(meant, codes);
     return bad_input(
-        "no code " + in_quotes(typed) + "; expected one as JW301",
+        "no code " + in_quotes(typed) + "; expected one such as JW301",
         hint.empty() ? "'jointwise explain' lists them" : hint);
 }
 
@@ -180,7 +180,8 @@ void add_explain(const CommandLine& line) {
     auto [command, options] = add_command<ExplainOptions>(
         line, "explain", "show cause and cure of a diagnostic, by its code", explain,
         "Example: jointwise explain JW301");
-    add_value(command, "CODE", options.code, "", "code as JW301, jw301 or 301; without it, all are listed");
+    add_value(
+        command, "CODE", options.code, "", "code such as JW301, jw301 or 301; without it, all are listed");
     add_format_option(command, options.format, {"text", "markdown", "json"});
 }
 

@@ -16,7 +16,7 @@ namespace jw {
 
 namespace {
 
-/// A table of a lesson, at a place where it may stand.
+/// A table of a lesson, at a place where it can be.
 struct KeyPage {
     std::string path;        ///< "joint", "body.shape"; "lesson" for the lesson itself
     std::string heading;     ///< as in a file: "[[joint]]", "[body.rotation]"
@@ -28,11 +28,11 @@ constexpr const char* kHeadOfKeys =
     "# Keys of a lesson\n\n"
     "Written by `./dev golden` from `jointwise keys --format markdown`; do not edit. The texts are in\n"
     "`lessons/format`.\n\n"
-    "Every table of a lesson file with all its keys. `[table]` stands once, `[[table]]` once for each "
+    "Every table of a lesson file with all its keys. `[table]` is written once, `[[table]]` once for each "
     "entry.\n"
-    "[writing-a-lesson.md](writing-a-lesson.md) says how the tables work together. A text for people may "
-    "stand again in\n"
-    "another language: in a table that is named by the tag of that language, as `[joint.zh-Hant]`.\n";
+    "[writing-a-lesson.md](writing-a-lesson.md) says how the tables work together. A text for people can "
+    "be repeated in\n"
+    "another language: in a table that is named by the tag of that language, such as `[joint.zh-Hant]`.\n";
 
 /// A key with all its spellings.
 struct KeyLine {
@@ -119,7 +119,7 @@ std::string as_code(const std::vector<std::string>& names) {
 
 std::string note_of(const KeyTable& table) { return table.exactly_one ? "Exactly one of these keys." : ""; }
 
-/// The table at "torque.table"; nothing if none may stand there.
+/// The table at "torque.table"; nothing if none can be there.
 std::optional<KeyPage> key_page(const std::string& path) {
     KeyPage page{"lesson", "The lesson itself", "keys at the beginning of the file", &key_tables().front()};
     if (path == page.path) { return page; }
@@ -249,7 +249,7 @@ void add_keys(const CommandLine& line) {
         line, "keys", "show the keys of a lesson's tables, with their values", show_keys,
         "Example: jointwise keys joint");
     add_value(
-        command, "TABLE", options.table, "", "table as joint or body.shape; without it, all are listed");
+        command, "TABLE", options.table, "", "table such as joint or body.shape; without it, all are listed");
     add_format_option(command, options.format, {"text", "markdown", "json"});
 }
 

@@ -56,7 +56,7 @@ bool measures(const CLI::Option& option) {
 std::string no_number(const CLI::Option& option, const std::string& value) {
     const std::string head = option.get_name() + ' ' + in_quotes(value);
     if (option.get_items_expected_max() == 0) { return option.get_name() + " takes no value"; }
-    if (!counts(option)) { return head + "; expected a number, as 0.5 or 1e-6"; }
+    if (!counts(option)) { return head + "; expected a number such as 0.5 or 1e-6"; }
     if (is_whole_number(value) && !is_octal(value)) {
         return head + " is out of range; expected at most " + std::to_string(std::numeric_limits<int>::max());
     }

@@ -78,13 +78,14 @@ CheckedRender checked(const RenderOptions& options) {
         check_film(options, *format);
     } else if (options.loop || options.no_tween) {
         throw wrong(
-            "--loop and --no-tween are of films; expected --out with .gif, .apng, .mp4, .webm or .html");
+            "--loop and --no-tween apply only to films; expected --out with .gif, .apng, .mp4, .webm or "
+            ".html");
     }
     if (!options.shard.empty() && !film::read_part(options.shard, result.shard)) {
         throw wrong("--shard '" + options.shard + "'; expected I/N, the I-th of N parts, for example 2/8");
     }
     if (!options.shard.empty() && options.resume) {
-        throw wrong("--shard goes on by itself; --resume comes after all shards");
+        throw wrong("--shard continues an interrupted part by itself; give --resume only after all parts");
     }
     return result;
 }

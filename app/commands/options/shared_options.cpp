@@ -151,7 +151,8 @@ std::vector<NamedQuantity> quantities_named(
         }
         if (!read->name_of_today.empty()) {
             streams.err << "jointwise: note: " << in_quotes(name) << " is now called "
-                        << in_quotes(read->name_of_today) << "; the old name goes with the next version\n";
+                        << in_quotes(read->name_of_today)
+                        << "; the next version will not accept the old name\n";
         }
         list.push_back(read->named);
     }

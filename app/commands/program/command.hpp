@@ -20,7 +20,7 @@ enum class Exit {
     done = 0,
     check_failed = 1,
     bad_input = 2,  ///< bad usage, a lesson with mistakes, a folder that cannot be written
-    numerics = 3,   ///< the numerics failed
+    numerics = 3,   ///< the numerical methods failed
 };
 
 /// Ends a command; `what()` is written to standard error unchanged.

@@ -26,7 +26,7 @@ constexpr const char* kDescription =
 
 constexpr const char* kFooter =
     "Example: jointwise step lessons/catalogue/loops/four-bar.toml\n"
-    "Exit status: 0 done, 1 a check failed, 2 bad usage or input, 3 the numerics could not do it.\n"
+    "Exit status: 0 done, 1 a check failed, 2 bad usage or input, 3 the numerical methods failed.\n"
     "'jointwise COMMAND --help' shows an example of each command.";
 
 int status(Exit exit) { return static_cast<int>(exit); }

@@ -29,9 +29,9 @@ std::string expected_of(const Exercise& exercise) {
 /// Feedback on a claim that does not hold.
 std::string not_reached(const ClaimResult& result) {
     const std::string told = result.failure.empty()
-                                 ? tr("Not reached: {0}, {1}, is {2}; expected {3}.", result.subject,
+                                 ? tr("Not met: {0} ({1}) is {2}; expected {3}.", result.subject,
                                       result.moment, result.found, result.expected)
-                                 : tr("Not reached, {0}: {1}", result.moment, result.failure);
+                                 : tr("Not met ({0}): {1}", result.moment, result.failure);
     return followed(told, result.why);
 }
 

@@ -172,7 +172,8 @@ std::string in_lower_case(const std::string& text) {
     return lower;
 }
 
-/// Place, counted from 1, of the choice or item that is the letter `word`; `word` itself if there is none.
+/// Number, from 1, of the choice or item that is shown as the letter `word`; `word` itself if there is no
+/// such choice.
 std::string place_of_letter(const Task& task, const std::string& word) {
     const auto same = [&](const std::string& shown) {
         const bool letter = shown.size() == 1 && std::isalpha(static_cast<unsigned char>(shown.front())) != 0;

@@ -28,7 +28,7 @@ std::vector<Altered> changed_once(const math::Row& formula, const Change& change
 std::vector<Altered> changed_everywhere(
     const math::Row& formula, const Change& change, const Telling& what = {});
 
-/// The letter of a node with accents, and its scripts; nothing for other nodes.
+/// Letter under the accents of a node, and the node with its scripts; empty for a node without a letter.
 struct Letter {
     math::Sign* sign = nullptr;
     math::Node* node = nullptr;  ///< the node that has the letter's scripts

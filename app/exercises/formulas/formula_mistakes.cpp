@@ -57,18 +57,18 @@ constexpr std::array kFormulaMistakes{
         tr_later("{0} is the wrong one of G and L: ω = 2 G ṗ, ω′ = 2 L ṗ."), "slide 13",
         alterations::g_for_l},
     FormulaMistake{
-        "factor", tr_later("a factor is lost"), tr_later("The factor {0} of the formula is lost."), "",
+        "factor", tr_later("a factor is missing"), tr_later("The factor {0} is missing."), "",
         alterations::lost_factor},
     FormulaMistake{
-        "square", tr_later("a square is lost"), tr_later("{0} has lost its square."), "",
+        "square", tr_later("a square is missing"), tr_later("The square of {0} is missing."), "",
         alterations::lost_square},
     FormulaMistake{
-        "dot", tr_later("a dot is lost"),
-        tr_later("{0} has lost its dot: the derivative is needed, not the vector."), "slides 14-17",
+        "dot", tr_later("a dot is missing"),
+        tr_later("The dot of {0} is missing: the derivative is needed, not the vector."), "slides 14-17",
         alterations::lost_dot},
     FormulaMistake{
-        "tilde", tr_later("a tilde is lost"),
-        tr_later("{0} has lost its tilde: it has to be the skew matrix."), "slide 3",
+        "tilde", tr_later("a tilde is missing"),
+        tr_later("The tilde of {0} is missing: it has to be the skew matrix."), "slide 3",
         alterations::lost_tilde},
     FormulaMistake{
         "order-of-product", tr_later("factors of a vector product exchanged"),

@@ -42,7 +42,7 @@ ProgramVerdict not_run(const exercises::ProgramResult::Outcome outcome, const st
 std::string beginning_of(const std::string& out) {
     const std::string text = exercises::printable(out.substr(0, 1000));
     const std::size_t first = text.find_first_not_of(" \n\t");
-    if (first == std::string::npos) { return tr("It wrote nothing to standard output."); }
+    if (first == std::string::npos) { return tr("The program wrote nothing to standard output."); }
     return tr(
         "What it wrote begins with \"{0}\". Nothing but the answers may be written to standard output.",
         exercises::first_lines(text.substr(first, text.find('\n', first) - first), 1, 60));

@@ -131,7 +131,7 @@ bool SandboxRun::start() {
     }
     for (Stream* stream : {&out_, &err_, &started_, &info_}) { stream->pipe.write.close(); }
     bwrap_ = process_handle(child_);
-    if (!bwrap_) { cannot("this system has no handles of processes (Linux 5.3)"); }
+    if (!bwrap_) { cannot("process handles need Linux 5.3 or later"); }
     return true;
 }
 
@@ -183,7 +183,7 @@ void SandboxRun::measure() {
     looked_ = Clock::now();
     // a program that has just ended cannot be inspected, either, and bwrap will end in a moment
     if (!meter_.is_open() && !meter_.open(first_process_)) {
-        if (since(begin_) > kBlindSeconds) { cannot("the sandbox cannot be looked into"); }
+        if (since(begin_) > kBlindSeconds) { cannot("the sandbox cannot be inspected"); }
         return;
     }
     const SandboxUsage usage = meter_.measure();
@@ -240,7 +240,7 @@ void SandboxRun::reap() {
         const std::string words = first_lines(printable(err_.text), 1, 300);
         return cannot(words.empty() ? "bwrap ended without starting the program" : words);
     }
-    if (reaped != child_) { return cannot("the end of the program was reported to somebody else"); }
+    if (reaped != child_) { return cannot("another process took the exit status of the program"); }
     const auto seconds = [](const timeval& time) {
         return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     };

@@ -115,7 +115,7 @@ ProgramSearch absent(const std::string& exercise) {
 }  // namespace
 
 ProgramSearch find_program(const std::string& folder, const std::string& exercise) {
-    if (!is_plain(exercise)) { return refuse(exercise, "is no name of an exercise"); }
+    if (!is_plain(exercise)) { return refuse(exercise, "is not the name of an exercise"); }
     std::string problem;
     const Handle open = open_folder(folder, problem);
     if (!open) { return refuse(folder, problem); }

@@ -100,9 +100,7 @@ FrameDraft::~FrameDraft() {
 }
 
 void FrameDraft::lock(FolderLock::Kind kind) {
-    lock_.take(
-        folder_, kind,
-        "is what another run draws into at this moment; wait until it has ended, or give another folder");
+    lock_.take(folder_, kind, "is in use by another run; wait until that run ends, or give another folder");
 }
 
 void FrameDraft::empty() const {
@@ -130,7 +128,9 @@ void FrameDraft::begin(const Json& run) {
     lock(FolderLock::Kind::alone);
     empty();
     if (fs::is_symlink(folder_) || !names_in(folder_).empty()) {
-        refuse(folder_, "is in the way, with files of somebody else; expected a folder for pictures alone");
+        refuse(
+            folder_,
+            "contains files that this program did not write; expected a folder that is only for pictures");
     }
     start(run);
 }

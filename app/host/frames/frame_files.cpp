@@ -35,7 +35,9 @@ std::set<std::string> named_in(const fs::path& path, bool must_be_ours) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) { return {}; }
-    if (!fs::is_regular_file(status)) { refuse(path, "is no file; expected a folder for pictures alone"); }
+    if (!fs::is_regular_file(status)) {
+        refuse(path, "is not a regular file; expected a folder that is only for pictures");
+    }
     std::ifstream in(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     const Json json = Json::parse(text, nullptr, false);
@@ -45,7 +47,8 @@ std::set<std::string> named_in(const fs::path& path, bool must_be_ours) {
         if (!must_be_ours) { return {}; }
         refuse(
             path,
-            "is no manifest of pictures, and would be overwritten; expected a folder for pictures alone");
+            "is not a manifest of pictures, and would be overwritten; expected a folder that is only for "
+            "pictures");
     }
     if (const Json version = json.value("version", Json(kJsonVersion)); version != kJsonVersion) {
         refuse(

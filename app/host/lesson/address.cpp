@@ -78,8 +78,8 @@ render::Camera read_camera(const std::string& text) {
     words.finish();
     if (!can_be_told(camera)) {
         throw Unreadable(
-            "nothing can be seen from there; expected an eye apart from what it looks at, a direction "
-            "upwards that is not along the view, and an angle of view above 0 and below " +
+            "the camera cannot see anything from there; expected an eye that is not at its target, an 'up' "
+            "that is not along the view, and an angle of view above 0 and below " +
             writing::number_text(kWidestView) + " rad");
     }
     return camera;
@@ -146,7 +146,7 @@ private:
         const std::size_t equals = std::min(text_.find('=', begin), end);
         const std::string key = decoded(begin, equals, true);
         const std::string value = equals < end ? decoded(equals + 1, end, true) : std::string();
-        if (value.empty()) { fail(begin, in_quotes(key) + " says nothing; expected a value behind ="); }
+        if (value.empty()) { fail(begin, in_quotes(key) + " is empty; expected a value after ="); }
         if (key == kTry) {
             if (address_.experiments.size() == kMostExperiments) {
                 fail(begin, "one experiment too many; expected at most " + std::to_string(kMostExperiments));
@@ -183,7 +183,7 @@ private:
             if (k + 2 >= end || std::from_chars(digits, digits + 2, byte, 16).ptr != digits + 2) {
                 fail(
                     k, in_quotes(text_.substr(k, std::min<std::size_t>(3, end - k))) +
-                           " is no character; expected % and two hexadecimal digits, and %25 for a %");
+                           " is not a character; expected % and two hexadecimal digits, and %25 for a %");
             }
             out += static_cast<char>(byte);
             k += 2;

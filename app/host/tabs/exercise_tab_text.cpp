@@ -139,7 +139,7 @@ std::string how_without_unit(const Task& task) {
     switch (task.exercise().kind) {
         case ExerciseKind::repair:
             return tr(
-                "Mend the lesson: in this field, with 'Try it', or in an editor. Change as little as "
+                "Repair the lesson: in this field, with 'Try it', or in an editor. Change as little as "
                 "possible.");
         case ExerciseKind::build:
             return tr(

@@ -74,8 +74,8 @@ struct Arrangement {
     std::vector<Box> boxes;  ///< one per block; height 0 for a block that has nothing to show
 };
 
-/// The roomiest density at which everything fits, if necessary without blocks that may be given up. The
-/// height that is left goes to the blocks that fill.
+/// The density with the most space at which everything fits, without the optional blocks if necessary. Blocks
+/// that can grow share the remaining height.
 Arrangement arrange(const Canvas& canvas, const Box& box, const std::vector<Block>& blocks);
 
 /// The panels for a step of this kind, from the top.

@@ -48,7 +48,8 @@ bool is_turned_phone(float usual, float density) {
 
 bool is_upright(float width, float height) { return height >= kUprightShape * width; }
 
-/// Part of the scene for bodies; the margin has room for their names and those of vectors.
+/// Part of the 3D picture in which the bodies must lie; the margin around it is for names of bodies and
+/// vectors.
 render::Rect safe_part(const Box& scene, float scale) {
     const auto margin = [&](float at_720, float length) {
         return std::min(std::round(at_720 * scale), kMostMargin * length);

@@ -42,7 +42,7 @@ void add_reactions(
         const bool known = std::ranges::find(table.not_unique, name) != table.not_unique.end();
         if (!reaction.unique() && !known) { table.not_unique.push_back(name); }
     }
-    // after all numbers, so that their columns keep their places
+    // the marks come after all numbers, so that the columns of the numbers do not move
     table.columns.insert(table.columns.end(), mark_columns.begin(), mark_columns.end());
     row.insert(row.end(), marks.begin(), marks.end());
 }

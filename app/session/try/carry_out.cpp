@@ -131,8 +131,8 @@ std::unique_ptr<Session> session_after(
     const auto moves = static_cast<std::size_t>(texts.end() - text);
     if (moves > kMostMoves) {
         give_up(
-            *text, "too much follows; expected at most " + std::to_string(kMostMoves) +
-                       " experiments from the first on that is no change of the lesson");
+            *text, "too many experiments; expected at most " + std::to_string(kMostMoves) +
+                       " from the first one that does not change the lesson");
     }
     for (; text != texts.end(); ++text) {
         const ExperimentResult result = carry_out(*session, *text);

@@ -150,7 +150,7 @@ TimeTable read_table(Words& words, Unit unit) {
     std::vector<double> times;
     do { times.push_back(words.number("a time [s]")); } while (is_number(words.peek()));
     words.take("s");
-    if (!words.take("values")) { throw Unreadable("expected 'values' behind the times of the table"); }
+    if (!words.take("values")) { throw Unreadable("expected 'values' after the times of the table"); }
     std::vector<double> of_times = values(words, unit, "a value");
     try {
         return table_through(std::move(times), std::move(of_times), interpolation);

@@ -100,8 +100,8 @@ std::string mistake_in(const Lesson& lesson) {
     } catch (const std::invalid_argument& error) { return error.what(); }
 }
 
-/// Reason why a changed lesson could not be read again after it was saved. Empty if it could, or if the
-/// lesson before the change could not be read either: whoever made that lesson does not save it.
+/// Reason why the changed lesson could not be read again after it was saved; empty if it could. Also empty if
+/// this was true before the change, because such a lesson was made by code that does not save it.
 std::string why_not_savable(const Lesson& changed, const Lesson& before) {
     const std::string mistake = mistake_in(changed);
     if (mistake.empty() || !mistake_in(before).empty()) { return {}; }

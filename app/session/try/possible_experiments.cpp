@@ -163,7 +163,8 @@ private:
         return group;
     }
 
-    /// Choices of coordinates. The condition is that of Φq with its normalisation rows, as it stands.
+    /// Choices of coordinates, each with the condition number of the unscaled Φq, normalisation rows
+    /// included.
     ExperimentGroup coordinates() const {
         ExperimentGroup group;
         group.title = tr("coordinates of Φq");

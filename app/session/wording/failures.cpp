@@ -113,8 +113,8 @@ std::string joints_text(const System& system, const PositionFailure& failure) {
         c.role == Role::axes_parallel ? tilted_axes_text(system, c.joints) : std::string();
     if (!tilted.empty()) {
         return followed(
-            text, tr("Check the axes: {0}. A spherical and a cylindrical joint instead of two hinges would "
-                     "not require that.",
+            text, tr("Check the axes: {0}. A spherical and a cylindrical joint in place of two hinges would "
+                     "allow this angle.",
                      tilted));
     }
     return followed(

@@ -40,7 +40,7 @@ Json json_of(const Fact& fact) {
 
 [[noreturn]] void fail(const std::string& file, const std::string& why) {
     throw std::runtime_error(
-        "'" + file + "' is no snapshot of this program: " + why +
+        "'" + file + "' is not a snapshot of this program: " + why +
         "; expected a file that 'jointwise snapshot record' has written");
 }
 
@@ -56,7 +56,7 @@ double number_in(const Json& json, const std::string& file) {
 
 Fact fact_of(const Json& json, const std::string& file) {
     if (!json.is_array() || (json.size() != 3 && json.size() != 5)) {
-        fail(file, "a fact is no list of three or five entries");
+        fail(file, "a fact is not a list of three or five entries");
     }
     Fact fact;
     const std::string weight = text_in(json[0], file);
@@ -71,7 +71,7 @@ Fact fact_of(const Json& json, const std::string& file) {
     }
     if (json.size() == 3 && fact.value &&
         (!json[2].is_number_integer() || std::abs(*fact.value) > kMostCounted)) {
-        fail(file, in_quotes(fact.name) + " is no count");
+        fail(file, in_quotes(fact.name) + " is not a count");
     }
     if (json.size() == 5) {
         fact.unit = text_in(json[3], file);

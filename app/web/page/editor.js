@@ -100,11 +100,11 @@ export class Editor {
   async openFile(file) {
     if (!file) { return; }
     if (this.isUnsaved && !confirm("The text was changed and not saved as a file. Open another one?")) { return; }
-    if (file.size > 1_000_000) { return this.toast(`${file.name} has ${Math.round(file.size / 1e6)} MB: this is no lesson.`); }
+    if (file.size > 1_000_000) { return this.toast(`${file.name} has ${Math.round(file.size / 1e6)} MB: this is not a lesson.`); }
     const text = await file.text();
     // a name of one's own in the folder: nothing above it can be reached
     const path = `${FOLDER}/${file.name.replace(/[^\p{L}\p{N}._ -]/gu, "_").replace(/^\.+/, "_")}`;
-    if (file.name === "course.toml") { return this.toast("course.toml has the order of a course, and is no lesson."); }
+    if (file.name === "course.toml") { return this.toast("course.toml has the order of a course, and is not a lesson."); }
     this.path = this.textOf(path) === text ? path : this.freePath(path);
     this.FS.writeFile(this.path, text);
     this.saved = text;

@@ -40,7 +40,7 @@ async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);
   } catch {
-    toast("The browser does not let this page write into the clipboard.");
+    toast("The browser does not let this page write to the clipboard.");
   }
 }
 

@@ -151,7 +151,8 @@ TEST_CASE("What an interrupted run left is taken away by the next one") {
     // files of somebody else in that folder
     std::filesystem::create_directory(folder.path("unfinished-frames"));
     folder.file("unfinished-frames/mine.txt", "");
-    CHECK_THROWS_WITH(write_run(folder.path(), 0, 0, 1), Catch::Contains("is in the way"));
+    CHECK_THROWS_WITH(
+        write_run(folder.path(), 0, 0, 1), Catch::Contains("contains files that this program did not write"));
     CHECK(std::filesystem::exists(folder.path("unfinished-frames/mine.txt")));
     CHECK(named_by_manifest(folder.path()) == std::set<std::string>{"frame_00005.png"});
 }
@@ -161,15 +162,16 @@ TEST_CASE("A manifest of another program is not touched") {
         const Folder theirs;
         const std::string path = theirs.file("manifest.json", other);
         CHECK_THROWS_WITH(
-            host::FrameFiles(theirs.path(), 0, 1), "'" + path +
-                                                       "' is no manifest of pictures, and would be "
-                                                       "overwritten; expected a folder for pictures alone");
+            host::FrameFiles(theirs.path(), 0, 1),
+            "'" + path +
+                "' is not a manifest of pictures, and would be "
+                "overwritten; expected a folder that is only for pictures");
         CHECK(files_in(theirs.path()).size() == 1);
         CHECK(bytes_of(path) == other);
     }
     const Folder odd;
     std::filesystem::create_directory(odd.path("manifest.json"));
-    CHECK_THROWS_WITH(host::FrameFiles(odd.path(), 0, 1), Catch::Contains("is no file"));
+    CHECK_THROWS_WITH(host::FrameFiles(odd.path(), 0, 1), Catch::Contains("is not a regular file"));
 }
 
 TEST_CASE("render into a folder with pictures of a longer run leaves those of this one", "[app][frames]") {

@@ -92,7 +92,8 @@ TEST_CASE("doctor says on standard error that something is wrong", "[app][doctor
         return report;
     };
     CHECK(run_program({"doctor"}, Streams{out, err, false}, window) == 3);
-    CHECK(err.str() == "jointwise: error: a surface draws wrong; 'jointwise doctor' says what and why\n");
+    CHECK(
+        err.str() == "jointwise: error: a surface draws incorrectly; 'jointwise doctor' says what and why\n");
 }
 
 }  // namespace jw::test

@@ -52,7 +52,7 @@ TEST_CASE("Numbers on the command line that are none, or out of range, are named
         {{"simulate", pendulum, "--samples", "-5"}, "--samples is -5; expected 1 to 1000000"},
         {{"simulate", pendulum, "--tolerance", "1e-9999999"}, "--tolerance is out of range; expected"},
         {{"simulate", pendulum, "--tolerance", "tight"},
-         "--tolerance 'tight'; expected a number, as 0.5 or 1e-6"},
+         "--tolerance 'tight'; expected a number such as 0.5 or 1e-6"},
         {{"simulate", pendulum, "--duration", "1e9999"}, "--duration is inf; expected a time above 0, in s"},
         {{"simulate", pendulum, "--method", "explicit5"},
          "--method 'explicit5'; expected one of euler, semi-implicit, rk4, explicit-5, explicit-8, "
@@ -66,7 +66,7 @@ TEST_CASE("Numbers on the command line that are none, or out of range, are named
         {{"step", crank, "more"}, "'more' was not expected"},
         {{"step", crank, "--try"}, "--try has no value; expected TEXT"},
         {{"step", crank, "--format", "xml"}, "--format 'xml'; expected one of text, json"},
-        {{"inspect", crank, "--time", ""}, "--time ''; expected a number, as 0.5 or 1e-6"},
+        {{"inspect", crank, "--time", ""}, "--time ''; expected a number such as 0.5 or 1e-6"},
         {{"inspect", crank, "--time", "1e400"}, "--time is not finite; expected a time in s"},
         {{"open", crank, "--text", "1e9", "--picture", picture},
          "--text 1e9 is out of range; expected 0.75 to 1.5"},

@@ -96,7 +96,7 @@ TEST_CASE(
     CHECK(std::filesystem::exists(path + "/frame_00001.png"));
     folder.file("draft/notes.txt", "mine");
     FrameDraft next(path);
-    CHECK_THROWS_WITH(next.begin(kThis), Catch::Contains("is in the way"));
+    CHECK_THROWS_WITH(next.begin(kThis), Catch::Contains("contains files that this program did not write"));
     CHECK(bytes_of(path + "/notes.txt") == "mine");
 }
 
@@ -110,9 +110,10 @@ TEST_CASE(
         draft.begin(kThis);
         draw(draft, 1);
         FrameDraft other(path);
-        CHECK_THROWS_WITH(other.begin(kThis), Catch::Contains("another run draws into at this moment"));
-        CHECK_THROWS_WITH(other.go_on(kThis), Catch::Contains("at this moment"));
-        CHECK_THROWS_WITH(other.join(kThis, FrameDraft::Joined::shard), Catch::Contains("at this moment"));
+        CHECK_THROWS_WITH(other.begin(kThis), Catch::Contains("is in use by another run"));
+        CHECK_THROWS_WITH(other.go_on(kThis), Catch::Contains("is in use by another run"));
+        CHECK_THROWS_WITH(
+            other.join(kThis, FrameDraft::Joined::shard), Catch::Contains("is in use by another run"));
         CHECK(draft.has(1));
     }
     FrameDraft one(path);
@@ -120,7 +121,7 @@ TEST_CASE(
     FrameDraft two(path);
     two.join(kThis, FrameDraft::Joined::shard);
     FrameDraft end(path);
-    CHECK_THROWS_WITH(end.go_on(kThis), Catch::Contains("at this moment"));
+    CHECK_THROWS_WITH(end.go_on(kThis), Catch::Contains("is in use by another run"));
 }
 
 TEST_CASE("Of many runs that begin a folder at once one draws, and others wait or are told", "[film]") {
@@ -137,7 +138,7 @@ TEST_CASE("Of many runs that begin a folder at once one draws, and others wait o
                 --inside;
             } catch (const std::runtime_error& error) {
                 const bool is_told =
-                    std::string(error.what()).find("another run draws into") != std::string::npos;
+                    std::string(error.what()).find("in use by another run") != std::string::npos;
                 disturbed += is_told ? 0 : 1;
             }
         }

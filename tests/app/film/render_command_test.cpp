@@ -145,7 +145,7 @@ TEST_CASE("Options of render that make no sense together say so", "[film][render
     };
     const std::vector<Case> cases{
         {{"--out", "x.mp4", "--loop"}, "--loop is only for .gif and .apng"},
-        {{"--out", "x", "--loop"}, "--loop and --no-tween are of films"},
+        {{"--out", "x", "--loop"}, "--loop and --no-tween apply only to films"},
         {{"--out", "x", "--transparent"}, "--transparent needs --no-panel"},
         {{"--out", "x.gif", "--transparent", "--no-panel"}, "this format has no transparency"},
         {{"--out", "x", "--camera", "1,2"}, "--camera '1,2'; expected X,Y,Z"},
@@ -157,7 +157,7 @@ TEST_CASE("Options of render that make no sense together say so", "[film][render
         {{"--out", "x", "--from", "3", "--to", "2"}, "--to '2' is step 2, before step 3 of --from"},
         {{"--out", "x", "--shard", "3/2"}, "--shard '3/2'; expected I/N"},
         {{"--out", "x", "--shard", "0/2"}, "--shard '0/2'; expected I/N"},
-        {{"--out", "x", "--shard", "1/2", "--resume"}, "--resume comes after all shards"},
+        {{"--out", "x", "--shard", "1/2", "--resume"}, "give --resume only after all parts"},
         {{"--out", "x", "--text", "2"}, "--text above 1.5"},
         {{"--out", "x", "--size", "15360x8640"}, "letters do not fit into one texture"},
         {{"--out", crank + "/x.gif"}, "x.gif"}};

@@ -324,7 +324,7 @@ TEST_CASE("nothing is written outside of the golden folder, whatever a lesson is
         CHECK(record("lessons").status == 0);
         const Ran ran = record(name);
         CHECK(ran.status == 2);
-        CHECK(says(ran, "cannot give a folder of snapshots its name"));
+        CHECK(says(ran, "its folder of snapshots cannot be named after it"));
         CHECK_FALSE(std::filesystem::exists(folder.path("snapshots.json")));
         CHECK_FALSE(std::filesystem::exists(folder.path("golden/snapshots.json")));
         CHECK_FALSE(std::filesystem::exists(folder.path("bodies.json")));
