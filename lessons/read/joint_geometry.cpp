@@ -275,9 +275,7 @@ struct GeometryReader {
             fields.report(
                 Code::out_of_range, radii->span,
                 "'radii' must be a positive number and one that is not 0, which is negative for the inner "
-                "side "
-                "of "
-                "a ring or a crossed belt");
+                "side of a ring or a crossed belt");
             return;
         }
         g.radii = {radii->value[0], radii->value[1]};
@@ -287,8 +285,7 @@ struct GeometryReader {
     void read_gear() {
         const char* const expected =
             "turns of the second wheel in one turn of the first, negative if they turn against each other, "
-            "or "
-            "'radii'";
+            "or 'radii'";
         g.ratio = 1.0;
         if (!fields.at_most_one({"ratio", "radii"})) { return; }
         if (fields.has("radii")) {
@@ -381,22 +378,16 @@ struct GeometryReader {
 
 }  // namespace
 
-std::optional<double> read_angular_rate(
-    Fields& fields, const std::string& key, IfGiven<double> (Fields::*read)(std::string_view)) {
-    const std::string in_degrees = key + "_deg_per_s";
-    const std::string in_radians = key + "_rad_per_s";
-    if (!fields.at_most_one({in_degrees, in_radians})) { return std::nullopt; }
-    if (const auto rate = (fields.*read)(in_radians)) { return rate->value; }
-    if (const auto rate = (fields.*read)(in_degrees)) { return radians(rate->value); }
-    return std::nullopt;
-}
-
 void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint) {
     GeometryReader{fields, pair, *joint.type, joint.geometry}.read();
 }
 
 void read_axes_and_point(Fields& fields, const BodyPair& pair, JointGeometry& g) {
-    GeometryReader reader{fields, pair, *find_joint_type("revolute"), g};
+    // any type with one point, an axis and sides
+    const auto has_frame = [](const JointType& type) {
+        return type.uses(Role::same_point) && type.has_angle();
+    };
+    GeometryReader reader{fields, pair, *std::ranges::find_if(kJointTypes, has_frame), g};
     if (reader.any({"axis", "axis_i", "axis_j", "side", "side_i", "side_j"})) {
         return reader.read_vectors();
     }

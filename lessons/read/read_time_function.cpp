@@ -242,4 +242,14 @@ void check_values(Fields& fields, const TimeFunction& function, double from, dou
     }
 }
 
+std::optional<double> read_angular_rate(
+    Fields& fields, const std::string& key, IfGiven<double> (Fields::*read)(std::string_view)) {
+    const std::string in_degrees = key + "_deg_per_s";
+    const std::string in_radians = key + "_rad_per_s";
+    if (!fields.at_most_one({in_degrees, in_radians})) { return std::nullopt; }
+    if (const auto rate = (fields.*read)(in_radians)) { return rate->value; }
+    if (const auto rate = (fields.*read)(in_degrees)) { return radians(rate->value); }
+    return std::nullopt;
+}
+
 }  // namespace jw::reading

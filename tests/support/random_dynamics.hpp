@@ -257,4 +257,24 @@ Motion dense_accelerations(
     return accelerations_of(equations, y, y_dot, moment);
 }
 
+/// Two bodies anywhere, moving anyhow.
+struct Pair {
+    Mechanism mechanism;
+    Moment moment;
+};
+inline Pair random_pair(unsigned seed) {
+    Random random(seed);
+    Pair out;
+    out.mechanism.bodies = {random_body(random, "i"), random_body(random, "j")};
+    out.moment = {start_state(out.mechanism), start_motion(out.mechanism)};
+    return out;
+}
+
+inline Loads without_loads(const Mechanism& mechanism, unsigned seed) {
+    Random random(seed);
+    Loads loads;
+    loads.masses = random_masses(random, mechanism);
+    return loads;
+}
+
 }  // namespace jw::test

@@ -4,37 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "core/jets/body_kinematics.hpp"
 #include "tests/support/random_dynamics.hpp"
 
 using namespace jw;
-
-namespace {
-
-/// Two bodies anywhere, moving anyhow.
-struct Pair {
-    Mechanism mechanism;
-    test::Moment moment;
-};
-Pair random_pair(unsigned seed) {
-    test::Random random(seed);
-    Pair out;
-    out.mechanism.bodies = {test::random_body(random, "i"), test::random_body(random, "j")};
-    out.moment = {start_state(out.mechanism), start_motion(out.mechanism)};
-    return out;
-}
-
-Loads without_loads(const Mechanism& mechanism, unsigned seed) {
-    test::Random random(seed);
-    Loads loads;
-    loads.masses = test::random_masses(random, mechanism);
-    return loads;
-}
-
-}  // namespace
 
 TEST_CASE("Forces of gravity and springs are the slope of the potential energy", "[core][dynamics][forces]") {
     for (unsigned seed = 1; seed <= 5; ++seed) {
@@ -71,11 +46,11 @@ TEST_CASE(
     "A damper takes c times the square of the rate, and pushes both bodies alike",
     "[core][dynamics][forces]") {
     for (unsigned seed = 1; seed <= 10; ++seed) {
-        const Pair pair = random_pair(seed);
+        const test::Pair pair = test::random_pair(seed);
         test::Random random(seed);
         const Vec3 P_i = random.vector();
         const Vec3 P_j = random.vector();
-        Loads loads = without_loads(pair.mechanism, seed);
+        Loads loads = test::without_loads(pair.mechanism, seed);
         loads.springs.push_back({0, 1, P_i, P_j, 0.0, 0.0, 1.7});
         const bool has_axis = seed % 2 == 0;
         const Vec3 s_i = random.direction();
@@ -112,7 +87,7 @@ TEST_CASE(
 TEST_CASE(
     "Forces and torques act at their point, in the frame and at the time they are given in",
     "[core][dynamics][forces]") {
-    const Pair pair = random_pair(4);
+    const test::Pair pair = test::random_pair(4);
     const auto bodies = test::bodies_of(pair.moment);
     const Mat3& A = bodies[1].A;
     const Vec3 point(0.1, -0.4, 0.3);
@@ -121,7 +96,7 @@ TEST_CASE(
     grows.polynomial = {1.0, 3.0};
     const double size = 1.0 + 3.0 * 0.5;
     for (const Frame frame : {Frame::global, Frame::local}) {
-        Loads loads = without_loads(pair.mechanism, 4);
+        Loads loads = test::without_loads(pair.mechanism, 4);
         loads.forces.push_back({1, point, direction, frame, grows});
         loads.torques.push_back({1, direction, frame, grows});
         const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment, 0.5);
@@ -134,11 +109,11 @@ TEST_CASE(
 }
 
 TEST_CASE("A torque against another body acts on it in the opposite direction", "[core][dynamics][forces]") {
-    const Pair pair = random_pair(6);
+    const test::Pair pair = test::random_pair(6);
     const auto bodies = test::bodies_of(pair.moment);
     const Vec3 direction(1.0, 2.0, -2.0);
     for (const Frame frame : {Frame::global, Frame::local}) {
-        Loads loads = without_loads(pair.mechanism, 6);
+        Loads loads = test::without_loads(pair.mechanism, 6);
         loads.torques.push_back({1, direction, frame, TimeFunction{.polynomial = {3.0}}, 0});
         const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment);
         const Vec3 n = 3.0 * (frame == Frame::local ? (bodies[1].A * direction).eval() : direction);
@@ -242,9 +217,9 @@ TEST_CASE("A law of a spring has its integral, its size and its slope", "[core][
 }
 
 TEST_CASE("A spring without length between its ends does not pull", "[core][dynamics][forces]") {
-    Pair pair = random_pair(5);
+    Pair pair = test::random_pair(5);
     pair.moment.state.r[1] = pair.moment.state.r[0];
-    Loads loads = without_loads(pair.mechanism, 5);
+    Loads loads = test::without_loads(pair.mechanism, 5);
     loads.springs.push_back({0, 1, Vec3::Zero(), Vec3::Zero(), 10.0, 0.5, 1.0});
     const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment);
     CHECK(forces[0].f.norm() + forces[1].f.norm() == 0.0);
@@ -260,7 +235,7 @@ TEST_CASE(
     for (const double angle : {2.0, -3.0}) {
         for (const double rate : {-1.5, 2.0}) {
             CAPTURE(angle, rate);
-            Pair pair = random_pair(6);
+            Pair pair = test::random_pair(6);
             State& state = pair.moment.state;
             Motion& motion = pair.moment.motion;
             const Vec3 axis = Vec3(1.0, 2.0, 2.0) / 3.0;
@@ -269,7 +244,7 @@ TEST_CASE(
             // both turn, j about the axis faster by `rate`
             motion.omega_local[1] =
                 rotation_matrix(euler_parameters_of(axis, -angle)) * motion.omega_local[0] + rate * axis;
-            Loads loads = without_loads(pair.mechanism, 6);
+            Loads loads = test::without_loads(pair.mechanism, 6);
             loads.rotational_springs.push_back({0, 1, {axis, u, u}, stiffness, free_angle, damping});
             const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment);
             const double way = angle > 0.0 ? angle - free_angle : angle - free_angle + 2.0 * std::numbers::pi;
@@ -383,111 +358,5 @@ TEST_CASE(
         // sums of a hundred products or so
         CHECK(energy.kinetic == Approx(static_cast<double>(kinetic)).epsilon(1e-13));
         CHECK(energy.potential == Approx(potential).epsilon(1e-12).margin(1e-11));
-    }
-}
-
-namespace {
-
-/// Rotation vector of a bushing's axes in j against those in i, by Eigen.
-Vec3 turn_of(const Bushing& bushing, const Mat3& A_i, const Mat3& A_j) {
-    const Eigen::AngleAxisd turn(
-        Mat3(bushing.axes_i_local.transpose() * A_i.transpose() * A_j * bushing.axes_j_local));
-    return turn.angle() * turn.axis();
-}
-
-}  // namespace
-
-TEST_CASE(
-    "A bushing stores k/2 times the squares of its displacement and of its turn",
-    "[core][dynamics][forces]") {
-    for (unsigned seed = 1; seed <= 20; ++seed) {
-        CAPTURE(seed);
-        const Pair pair = random_pair(seed);
-        test::Random random(seed);
-        Loads loads = without_loads(pair.mechanism, seed);
-        const Bushing bushing = test::random_bushing(random, 0, 1);
-        loads.bushings = {bushing};
-        const auto bodies = test::bodies_of(pair.moment);
-        const Vec3 d =
-            bushing.axes_i_local.transpose() * bodies[0].A.transpose() *
-            (bodies[1].r + bodies[1].A * bushing.P_j_local - bodies[0].r - bodies[0].A * bushing.P_i_local);
-        const Vec3 phi = turn_of(bushing, bodies[0].A, bodies[1].A);
-        double energy = 0.0;
-        for (int k = 0; k < 3; ++k) {
-            energy += 0.5 * bushing.stiffness[k] * d[k] * d[k];
-            energy += 0.5 * bushing.rotational_stiffness[k] * phi[k] * phi[k];
-        }
-        CHECK(potential_energy(loads, bodies) == Approx(energy).epsilon(1e-13));  // rounding
-    }
-}
-
-TEST_CASE(
-    "A bushing takes c times the squares of its rates, and pushes both bodies alike",
-    "[core][dynamics][forces]") {
-    for (unsigned seed = 1; seed <= 20; ++seed) {
-        CAPTURE(seed);
-        const Pair pair = random_pair(seed);
-        test::Random random(seed);
-        Loads loads = without_loads(pair.mechanism, seed);
-        Bushing bushing = test::random_bushing(random, 0, 1);
-        bushing.stiffness = bushing.rotational_stiffness = Vec3::Zero();
-        bushing.damping = Vec3(0.3, 1.1, 0.7);
-        bushing.rotational_damping = Vec3(1.3, 0.2, 0.6);
-        loads.bushings = {bushing};
-        const auto bodies = test::bodies_of(pair.moment);
-        const std::vector<BodyForce> forces = test::forces_of(loads, pair.moment);
-        double power = 0.0;
-        Vec3 total = Vec3::Zero();
-        Vec3 torque = Vec3::Zero();
-        for (std::size_t b = 0; b < 2; ++b) {
-            power +=
-                forces[b].f.dot(bodies[b].r_dot) + forces[b].n_local.dot(pair.moment.motion.omega_local[b]);
-            total += forces[b].f;
-            torque += bodies[b].r.cross(forces[b].f) + bodies[b].A * forces[b].n_local;
-        }
-        const auto yielding_at = [&](double t) {
-            const auto turned = [&](std::size_t b) -> Mat3 {
-                return rotation_matrix(turned_local(bodies[b].p, t * pair.moment.motion.omega_local[b]));
-            };
-            const auto end = [&](std::size_t b, const Vec3& P) -> Vec3 {
-                return bodies[b].r + t * bodies[b].r_dot + turned(b) * P;
-            };
-            Eigen::Matrix<double, 6, 1> out;
-            out << bushing.axes_i_local.transpose() * turned(0).transpose() *
-                       (end(1, bushing.P_j_local) - end(0, bushing.P_i_local)),
-                turn_of(bushing, turned(0), turned(1));
-            return out;
-        };
-        const double h = 1e-5;  // h² and 1e-16 / h are below 1e-9
-        const Eigen::Matrix<double, 6, 1> rate = (yielding_at(h) - yielding_at(-h)) / (2.0 * h);
-        double taken = 0.0;
-        for (int k = 0; k < 3; ++k) {
-            taken += bushing.damping[k] * rate[k] * rate[k];
-            taken += bushing.rotational_damping[k] * rate[k + 3] * rate[k + 3];
-        }
-        CHECK(std::abs(power + taken) < 1e-8 * (1.0 + taken));
-        CHECK(total.norm() < 1e-13);   // rounding
-        CHECK(torque.norm() < 1e-12);  // rounding
-    }
-}
-
-TEST_CASE(
-    "A bushing without a turn, or with a very small one, has the torque k φ", "[core][dynamics][forces]") {
-    const Pair pair = random_pair(3);
-    for (const double angle : {0.0, 1e-300, 1e-160, 1e-12, 1e-5}) {
-        CAPTURE(angle);
-        Bushing bushing;
-        bushing.body_j = 1;
-        bushing.rotational_stiffness = Vec3(2.0, 3.0, 5.0);
-        Loads loads = without_loads(pair.mechanism, 3);
-        loads.bushings = {bushing};
-        test::Moment moment = pair.moment;
-        moment.state.p[0] = Vec4(1.0, 0.0, 0.0, 0.0);
-        moment.state.p[1] = Vec4(1.0, 0.5 * angle, 0.0, -0.5 * angle).normalized();
-        const std::vector<BodyForce> forces = test::forces_of(loads, moment);
-        // φ̃ k φ / 2 is of second order
-        CHECK(
-            (forces[0].n_local - Vec3(2.0 * angle, 0.0, -5.0 * angle)).norm() <=
-            4.0 * angle * angle + 1e-15 * angle);
     }
 }
