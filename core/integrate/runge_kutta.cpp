@@ -81,7 +81,7 @@ RungeKuttaTable make_54() {
 }
 
 // Hairer, Norsett, Wanner: Solving Ordinary Differential Equations I, section II.5; the coefficients satisfy
-// the order conditions to rounding (tests/core/runge_kutta_test.cpp)
+// the order conditions to rounding (tests/core/dynamics/runge_kutta_test.cpp)
 RungeKuttaTable make_853() {
     RungeKuttaTable t;
     t.stages = 12;

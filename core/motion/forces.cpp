@@ -79,13 +79,18 @@ struct Yielding {
     Vec3 d_global;        ///< [m]
 };
 
-/// Rotation vector of a rotation matrix.
+/// Rotation vector of a rotation matrix; of half a turn, one of the two.
 Vec3 rotation_vector(const Mat3& R) {
     // 4 e0 e and 4 e0² of its Euler parameters
     const Vec3 e(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
     const double length = e.norm();
     const double angle = 2.0 * elementary::atan2(length, 1.0 + R.trace());
-    return length > 0.0 ? (angle / length * e).eval() : Vec3::Zero();
+    if (length > 0.0) { return angle / length * e; }
+    if (R.trace() > 0.0) { return Vec3::Zero(); }
+    // half a turn: R + I is 2 n nᵀ
+    Eigen::Index largest = 0;
+    R.diagonal().maxCoeff(&largest);
+    return std::numbers::pi * (R.col(largest) + Vec3::Unit(largest)).normalized();
 }
 
 /// ∂φ̇/∂ω = I - φ̃/2 + c φ̃² with c = (1 - (φ/2) cot(φ/2)) / φ². Where φ is so small that c is wrong, c φ̃² is

@@ -10,7 +10,7 @@ namespace {
 // editors for TOML know draft 7
 constexpr const char* kDraft = "http://json-schema.org/draft-07/schema#";
 
-// BCP 47, as accepted by lessons/text/language_tag.hpp
+// BCP 47, as accepted by lessons/text/text.hpp
 constexpr const char* kLanguageTag =
     "[a-z]{2,3}(-[A-Z][a-z]{3})?(-([A-Z]{2}|[0-9]{3}))?(-([a-z0-9]{5,8}|[0-9][a-z0-9]{3}))*$";
 

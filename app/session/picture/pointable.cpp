@@ -194,8 +194,8 @@ void Emphasis::add_rows_of_joint(const System& system, int joint) {
 void Emphasis::add_rows_with_vector(const System& system, int joint, int part) {
     for (int row = 0; row < system.rows(); ++row) {
         const Constraint* const c = constraint_of(system, row);
-        const Joint& j = system.mechanism().joints[at(joint)];
-        if (c != nullptr && c->joint == joint && is_made_of(j, c->role, part)) { add(Pointable::row(row)); }
+        if (c == nullptr || c->joint != joint) { continue; }
+        if (is_made_of(system.mechanism().joints[at(joint)], c->role, part)) { add(Pointable::row(row)); }
     }
 }
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -90,6 +91,23 @@ TEST_CASE(
         CHECK(std::abs(power + taken) < 1e-8 * (1.0 + taken));
         CHECK(total.norm() < 1e-13);   // rounding
         CHECK(torque.norm() < 1e-12);  // rounding
+    }
+}
+
+TEST_CASE("A bushing at exactly half a turn has the energy k π² / 2", "[core][dynamics][forces]") {
+    for (const Vec3& axis : {Vec3(0.0, 0.0, 1.0), Vec3(2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0)}) {
+        test::Pair pair = test::random_pair(3);
+        Loads loads = test::without_loads(pair.mechanism, 3);
+        Bushing bushing;
+        bushing.body_j = 1;
+        bushing.rotational_stiffness = Vec3(2.0, 3.0, 5.0);
+        loads.bushings = {bushing};
+        pair.moment.state.p[0] = Vec4(1.0, 0.0, 0.0, 0.0);
+        pair.moment.state.p[1] << 0.0, axis;
+        const double k = axis.cwiseAbs2().dot(bushing.rotational_stiffness);
+        const double square = std::numbers::pi * std::numbers::pi;
+        CHECK(
+            potential_energy(loads, test::bodies_of(pair.moment)) == Approx(0.5 * k * square).epsilon(1e-13));
     }
 }
 
