@@ -217,7 +217,7 @@ TEST_CASE("A law of a spring has its integral, its size and its slope", "[core][
 }
 
 TEST_CASE("A spring without length between its ends does not pull", "[core][dynamics][forces]") {
-    Pair pair = test::random_pair(5);
+    test::Pair pair = test::random_pair(5);
     pair.moment.state.r[1] = pair.moment.state.r[0];
     Loads loads = test::without_loads(pair.mechanism, 5);
     loads.springs.push_back({0, 1, Vec3::Zero(), Vec3::Zero(), 10.0, 0.5, 1.0});
@@ -235,7 +235,7 @@ TEST_CASE(
     for (const double angle : {2.0, -3.0}) {
         for (const double rate : {-1.5, 2.0}) {
             CAPTURE(angle, rate);
-            Pair pair = test::random_pair(6);
+            test::Pair pair = test::random_pair(6);
             State& state = pair.moment.state;
             Motion& motion = pair.moment.motion;
             const Vec3 axis = Vec3(1.0, 2.0, 2.0) / 3.0;
