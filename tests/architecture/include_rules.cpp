@@ -197,9 +197,7 @@ constexpr std::array kLibraries{
     LibraryRule{"GL/glcorearb.h", "render/gl/gl_functions\\.hpp"},
     LibraryRule{"GLFW/", "app/window\\.[ch]pp"},
     LibraryRule{"ft2build.h", "render/fonts/font_face\\.cpp"},
-    LibraryRule{
-        "imgui.h",
-        "render/(fonts/fonts|passes/imgui_backend)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
+    LibraryRule{"imgui.h", "render/(fonts/fonts|passes/imgui_backend)\\.[ch]pp|app/.*|tests/(render|app)/.*"},
     LibraryRule{"cairo", "render/files/vector_picture\\.cpp"},
     LibraryRule{"libdeflate.h", "render/files/png(_chunks)?\\.cpp"},
     LibraryRule{"gif_lib.h", "render/animation/gif\\.cpp"},
