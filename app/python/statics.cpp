@@ -8,14 +8,11 @@ namespace jointwise::python {
 
 namespace {
 
-Seek seek_of(bool nearest) { return nearest ? Seek::nearest : Seek::where_it_rests; }
-
 void add_small_motion(py::module_& module) {
     py::class_<SmallMotion>(
         module, "SmallMotion",
         "A small motion about an equilibrium: the real part of exp(s t) (shape + i shape_late) is added to "
-        "the "
-        "pose. Its largest movement is 1.")
+        "the pose. Its largest movement is 1.")
         .def_readonly(
             "s", &SmallMotion::s, "[1/s]; its imaginary part, 0 or positive, is the angular frequency.")
         .def_readonly("shape", &SmallMotion::shape, "Movements [m], turns in the frames of the bodies [rad].")
@@ -56,15 +53,14 @@ void add_statics(py::module_& module) {
         });
     module.def(
         "find_equilibrium",
-        [](const Mechanism& mechanism, bool nearest) {
-            const Mechanism own = mechanism;
-            return in_parallel([&] { return find_equilibrium(own, seek_of(nearest)); });
+        [](Mechanism mechanism, bool nearest) {
+            const Seek seek = nearest ? Seek::nearest : Seek::where_it_rests;
+            return in_parallel([&] { return find_equilibrium(mechanism, seek); });
         },
         "mechanism"_a, py::kw_only(), "nearest"_a = false,
         "Equilibrium of the assembled mechanism under its loads, to which these push it from the start; with "
         "`nearest` the one to which Newton's method leads, stable or not. Drivers keep their values at t = "
-        "0. "
-        "Every moving body needs a mass. Raises NotReached.");
+        "0. Every moving body needs a mass. Raises NotReached.");
 }
 
 }  // namespace jointwise::python

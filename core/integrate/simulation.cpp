@@ -29,8 +29,7 @@ void require(const SimulationSettings& settings) {
     if (settings.dense && method.kind != MethodKind::runge_kutta) {
         throw std::invalid_argument(
             "a coordinate choice needs an explicit Runge-Kutta method; expected explicit-8, explicit-5, rk4 "
-            "or "
-            "euler");
+            "or euler");
     }
     if (method.adaptive && !is_tolerance(settings.tolerance)) {
         throw std::invalid_argument(std::string("the tolerance is out of range; ") + kToleranceRange);

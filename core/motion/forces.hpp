@@ -31,7 +31,7 @@ SpringSpan span_of(const Spring& spring, std::span<const BodyKinematics<OmegaLoc
 /// force is relative to it. Turns of the rotational spring are counted up to this state.
 double size_of(const Spring& spring, std::span<const BodyKinematics<OmegaLocal>> bodies);
 double size_of(const RotationalSpring& spring);
-/// The same of a bushing, with torques divided by a length [N].
+/// Size of the terms of a bushing's force and torque, with torques divided by a length [N].
 double size_of(const Bushing& bushing, std::span<const BodyKinematics<OmegaLocal>> bodies, double length);
 
 /// Replaces the laws of springs by their first-order expansions about rest at these poses.

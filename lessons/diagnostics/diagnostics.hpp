@@ -20,9 +20,9 @@ enum class Severity { error, warning };
 struct Diagnostic {
     std::string file;
     SourceSpan span;
-    Code code{};          ///< of the cause
-    std::string message;  ///< what is wrong; what was expected
-    std::string hint;     ///< what to do, may be empty
+    Code code = Code::file_unreadable;  ///< of the cause
+    std::string message;                ///< what is wrong; what was expected
+    std::string hint;                   ///< what to do, may be empty
     Severity severity = Severity::error;
 };
 

@@ -21,7 +21,7 @@ struct Explanation {
         path,    ///< a path from the folder of the project, as a command takes it
     };
 
-    Code code{};
+    Code code = Code::file_unreadable;
     std::string cause;
     std::string cure;
     Setting setting = Setting::behind;

@@ -41,6 +41,22 @@ TEST_CASE("A pendulum rests below its pin, and swings about it with the period o
     CHECK((found.reactions[0].force - Vector3(0.0, 0.0, 2.0 * kG)).norm() < 1e-8);
 }
 
+TEST_CASE("A body whose frame is at its pin only turns in a small motion", "[api]") {
+    Mechanism m;
+    const int rod = m.add_body("rod", {0.0, 0.0, 0.0});
+    m.set_mass(rod, 2.0, 0.2 * Matrix3::Identity(), {0.3, 0.0, 0.4});
+    m.set_gravity({0.0, 0.0, -kG});
+    m.add_joint("pin", "revolute", 0, rod, {.at = {0.0, 0.0, 0.0}, .axis = {0.0, 1.0, 0.0}});
+    const Equilibrium rest = find_equilibrium(m);
+    REQUIRE(rest.small_motions.size() == 1);
+    const SmallMotion& swing = rest.small_motions.front();
+    CHECK(rest.moment.pose.r[1].norm() < 1e-12);
+    CHECK(swing.shape.r_dot[1].norm() < 1e-12);
+    CHECK(std::abs(swing.shape.omega_local[1].y()) > 0.1);
+    CHECK(swing.s.imag() == Approx(std::sqrt(2.0 * kG * 0.5 / (0.2 + 2.0 * 0.25))).epsilon(1e-8));
+    CHECK(rest.moment.energy == Approx(-2.0 * kG * 0.5).epsilon(1e-9));
+}
+
 TEST_CASE("From just above, the nearest equilibrium of a pendulum is upright and unstable", "[api]") {
     const Equilibrium upright = find_equilibrium(pendulum(0.1), Seek::nearest);
     CHECK((upright.moment.pose.r[1] - Vector3(0.0, 0.0, 0.5)).norm() < 1e-9);

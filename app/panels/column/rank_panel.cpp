@@ -138,8 +138,7 @@ float rank_warnings(const Canvas& canvas, const Box& box, const View& view, Dens
         height += warning(
             canvas, below(box, height),
             tr("Not assembled: the largest |Φ| is {0}. Which rows are redundant is decided once the "
-               "equations "
-               "hold.",
+               "equations hold.",
                small_text(rank.residual)));
     }
     for (const std::string& doubt : rank.doubts) { height += warning(canvas, below(box, height), doubt); }

@@ -321,7 +321,7 @@ ClaimResult judged_end(const Lesson& lesson, const Pose& pose) {
     return result;
 }
 
-/// The same moment in the changed lesson; nothing if the joint or driver that it comes after is gone.
+/// Moment of the changed lesson that corresponds to `when`; nothing if its joint or driver is gone.
 std::optional<Moment> carried(const Moment& when, const Lesson& written, const Lesson& changed) {
     using Carried = std::optional<Moment>;
     return std::visit(

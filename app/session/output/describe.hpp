@@ -24,7 +24,7 @@ std::string describe(const RestView& view);
 
 // text beside the pointer, line by line, with formulas between dollar signs
 
-/// What a symbol is, and its value for each thing that it can mean.
+/// Lines about a symbol: its meaning, and its value for each thing that it can stand for.
 std::vector<std::string> symbol_tip(const SymbolView& symbol);
 
 /// The formula of a block of Φq, the formula with its numbers, and the row of the entry.

@@ -179,8 +179,7 @@ std::string failure_text(const RestView& view) {
         case Failure::no_descent: break;
     }
     return tr("The search ended after {0} steps: no step decreases the forces. There may be no equilibrium, "
-              "or "
-              "it is far from the start.",
+              "or it is far from the start.",
               steps) +
            " " + push_text(view);
 }

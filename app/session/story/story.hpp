@@ -194,7 +194,7 @@ private:
 /// choice of rows, if these are one or two); else the story's own featured joint. Empty if there is none.
 std::vector<int> featured_joints(const Story& story);
 
-/// What is known at a moment of a prescribed motion.
+/// State, velocities and accelerations at a moment of a prescribed motion.
 Instant instant_of(std::shared_ptr<const System> system, const MotionFrame& frame);
 
 /// Verdict on a pose. @param spectrum true: singular values and free motions of large systems, too, which

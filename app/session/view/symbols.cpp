@@ -20,7 +20,7 @@ constexpr std::size_t kMostMeanings = 4;
 /// Letter of a vector that is fixed in a body; not the joint type of the same name.
 constexpr std::string_view kArm = "s";
 
-/// What the book says about a symbol, whatever body or joint it belongs to.
+/// Definition of a symbol in the book, the same for every body and joint.
 struct SymbolFact {
     const char* letter;
     const char* marks;    ///< as in formula::Symbol; nullptr: any
@@ -130,7 +130,7 @@ public:
         return meanings_;
     }
 
-    /// The same within the formula of a joint's primitive, where Φ is that of the primitive.
+    /// Meanings within the formula of a joint's primitive, where Φ is that of the primitive.
     std::vector<SymbolMeaning> found(int joint, Role role) {
         of_primitive(joint, role);
         return meanings_;

@@ -104,7 +104,7 @@ const char* unit_of_role(Role role) {
     return "m²";
 }
 
-/// What the label of a row consists of.
+/// Parts of the label of a row.
 struct RowNames {
     const std::string& owner;
     std::string equation;

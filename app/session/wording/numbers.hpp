@@ -22,7 +22,7 @@ std::string small_text(double value);
 std::string vector_text(const Vec3& v, int digits = 4);
 /// "1 equation", "3 equations"
 std::string count_text(int count, const std::string& singular, const std::string& plural = {});
-/// What `text_of` makes of each item, with `between` between two of them: "a, b, c"
+/// Texts of all items, separated by `between`: "a, b, c". @param text_of  text of an item
 template <class Items, class TextOf = std::identity>
 std::string joined(const Items& items, const std::string& between, TextOf text_of = {}) {
     std::string text;
