@@ -78,7 +78,7 @@ install(DIRECTORY library/jointwise ${PROJECT_BINARY_DIR}/include/jointwise DEST
   COMPONENT jointwise-dev FILES_MATCHING PATTERN "*.hpp")
 configure_package_config_file(cmake/jointwise-config.cmake.in ${PROJECT_BINARY_DIR}/jointwise-config.cmake
   INSTALL_DESTINATION ${JW_INSTALL_CMAKE} PATH_VARS JW_INSTALL_DATA)
-# before version 1, each minor version is a different interface
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/jointwise-config-version.cmake COMPATIBILITY SameMinorVersion)
+# docs/formats.md: what compiles with a version compiles with all later ones of the same major version
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/jointwise-config-version.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/jointwise-config.cmake ${PROJECT_BINARY_DIR}/jointwise-config-version.cmake
   DESTINATION ${JW_INSTALL_CMAKE} COMPONENT jointwise-dev)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Files as version 0.1 wrote them, read with the program of today: formats_test.py JOINTWISE PROJECT
+"""Files as versions 0.1 and 1.0 wrote them, read with the program of today: formats_test.py JOINTWISE PROJECT
 
 docs/formats.md is the policy: within a version of a format keys may be added, and no other changes. Newer versions are refused by name.
 """
@@ -16,6 +16,17 @@ import tempfile
 
 program, project = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 kept = project / "tests" / "formats" / "0.1"
+kept_by_1 = project / "tests" / "formats" / "1.0"
+# outputs that version 1.0 wrote for its lessons, and how
+WRITTEN_BY_1 = {
+    "cam.csv": ("solve", "cam.toml", "--step", "0.5"),
+    "constant-velocity.csv": ("solve", "constant-velocity.toml", "--step", "0.5"),
+    "differential.csv": ("solve", "differential.toml", "--step", "0.5"),
+    "indexing-table.csv": ("solve", "indexing-table.toml", "--step", "0.5"),
+    "rubber-hinge.json": ("rest", "rubber-hinge.toml", "--format", "json"),
+    "sled-with-brake.csv": ("simulate", "sled-with-brake.toml", "--samples", "4"),
+    "spring-that-hardens.csv": ("simulate", "spring-that-hardens.toml", "--samples", "4"),
+}
 # tolerance for lengths and angles about 1: solved equations are closed to 1e-10, and machines round differently
 TOLERANCE = 1e-8
 
@@ -130,9 +141,18 @@ def newer_ones_are_refused(place):
     is_refused(place, "expected", "grade", "handed", "--key", "key.toml")
 
 
+def numbers_of_1_are_kept():
+    for name, arguments in WRITTEN_BY_1.items():
+        read = json.loads if name.endswith(".json") else columns
+        found = missing(read((kept_by_1 / name).read_text()), read(read_by(kept_by_1, *arguments)))
+        assert not found, f"{name}: {found[:5]}"
+        read_by(kept_by_1, "check", arguments[1])
+
+
+numbers_of_1_are_kept()
 for check in (numbers_are_kept, lesson_and_exercise_are_read, golden_is_the_same, manifest_is_replaced, newer_ones_are_refused):
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder) / "0.1"
         shutil.copytree(kept, place)
         check(place)
-print("files of version 0.1 are read, and newer ones are refused")
+print("files of versions 0.1 and 1.0 are read, and newer ones are refused")

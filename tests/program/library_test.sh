@@ -44,7 +44,7 @@ if "$cmake" --build "$folder/wide" --target pendulum >log 2>&1; then fail "a pro
 grep -q 'build Jointwise with the same flags' log || { fail "another reason to refuse AVX"; cat log; }
 
 # another version is refused
-sed -i 's/find_package(jointwise 0.1/find_package(jointwise 9.0/' consumer/CMakeLists.txt
+sed -i 's/find_package(jointwise 1.0/find_package(jointwise 9.0/' consumer/CMakeLists.txt
 if configure refused >log 2>&1; then fail "version 9.0 was found"; fi
 grep -q 'jointwise-config.cmake, version:' log || { fail "another reason to refuse version 9.0"; cat log; }
 

@@ -13,6 +13,8 @@ namespace jw::host {
 namespace {
 
 constexpr const char* kLookName = "look of pictures";
+/// The version is told, but does not make pictures others: whoever changes the look raises its number.
+constexpr const char* kVersionName = "jointwise";
 
 /// Value of a name that is missing; the first look of pictures had no number, so it counts as "1".
 std::string missing(const std::string& name) { return name == kLookName ? "1" : "nothing"; }
@@ -49,7 +51,7 @@ Environment font_environment() {
 
 Environment environment(const std::string& renderer, Environment fonts) {
     Environment found = std::move(fonts);
-    found["jointwise"] = JW_VERSION;
+    found[kVersionName] = JW_VERSION;
     found[kLookName] = std::to_string(render::kLook);
     found["FreeType"] = render::freetype_version();
     found["renderer"] = without_register_width(renderer);
@@ -67,7 +69,7 @@ std::string environment_change(const Environment& before, const Environment& now
     for (const auto& [name, what] : all) {
         const std::string then = value(before, name);
         const std::string here = value(now, name);
-        if (then == here) { continue; }
+        if (then == here || name == kVersionName) { continue; }
         text += (text.empty() ? "" : "; ") + name + ": " + then + " before, " + here + " now";
     }
     return text;

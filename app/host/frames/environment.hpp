@@ -17,8 +17,8 @@ Environment font_environment();
 /// @param fonts     a `font_environment`
 Environment environment(const std::string& renderer, Environment fonts = font_environment());
 
-/// Differences between two environments, in words: "renderer: llvmpipe (LLVM 14) before, llvmpipe (LLVM 15)
-/// now"; empty if there are none.
+/// Differences that pictures can show between two environments, in words: "renderer: llvmpipe (LLVM 14)
+/// before, llvmpipe (LLVM 15) now"; empty if there are none.
 std::string environment_change(const Environment& before, const Environment& now);
 
 }  // namespace jw::host
