@@ -6,7 +6,7 @@ namespace jw {
 /// Pivot below which a row is redundant: far above rounding (1e-15 times a condition of 1e3), far below the
 /// pivots of sound joints (1e-3).
 inline constexpr double kRepeats = 1e-9;
-/// Residual, divided by the size of its equation, that is rounding only.
+/// Residual, divided by the size of its equation, up to which it is only rounding.
 inline constexpr double kRoundingOnly = 1e-15;
 /// Residual below which an iteration that hardly improves it is the last one.
 inline constexpr double kNearlyExact = 1e-12;

@@ -14,6 +14,15 @@
 ///  - the Jacobian: blocks on body i, body j and on an artificial coordinate θ;
 ///  - the motion: `rate` (time derivative) and `bias` (the part of the second time derivative that is
 ///    quadratic in the velocities), so that γ of an equation is -bias.
+///
+/// An example by hand, n1 of two axes s = A s' in (r, ω'). An arm has the rate ṡ = ω̃ s, the block -A s̃' on
+/// ω', and, without accelerations, the bias ω̃ ṡ. `dot` gives
+///     Φ    = s_iᵀ s_j
+///     Φ̇    = ṡ_iᵀ s_j + s_iᵀ ṡ_j
+///     Φω'  = -s_jᵀ A_i s̃'_i  on body i,  -s_iᵀ A_j s̃'_j  on body j
+///     bias = (ω̃_i ṡ_i)ᵀ s_j + 2 ṡ_iᵀ ṡ_j + s_iᵀ (ω̃_j ṡ_j)
+/// and with aᵀ ω̃ = -(ω̃ a)ᵀ its γ = -bias is that of the book's table (p. 299):
+///     γ = -2 ṡ_iᵀ ṡ_j + ṡ_iᵀ ω̃_i s_j + ṡ_jᵀ ω̃_j s_i
 namespace jw {
 
 /// Derivatives that a jet carries.

@@ -35,10 +35,9 @@ struct DragOutcome {
 /// decreases, so pulls at a target out of reach end at the nearest point on the way there and stay. Time and
 /// drivers are fixed.
 ///
-/// Steps in loops are taken only if it is proved that they stay on their branch (FreeProof); they are halved
-/// until it is. Where branches meet, or rounding hides them, nothing can be proved, and in loops of many
-/// bodies a proof takes too long: there a step is taken if it stays near its tangent, or leads on from a
-/// corner.
+/// In loops, a step is halved until it is proved to stay on its branch (FreeProof). Nothing can be proved
+/// where branches meet or rounding hides them, and in loops of many bodies a proof takes too long. In these
+/// cases a step is taken if it stays near its tangent, or leads on from a corner.
 class Dragger {
 public:
     /// @param system must outlive this; its rows are chosen again between the steps

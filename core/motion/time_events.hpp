@@ -4,7 +4,8 @@
 
 #include "core/motion/loads.hpp"
 
-/// Bounds on adaptive steps from a scene's functions of time: a method would miss changes between its stages.
+/// Limits of adaptive steps from the scene's functions of time, because a method does not see what changes
+/// between its stages.
 namespace jw {
 
 /// Time at which a step must end.

@@ -15,7 +15,7 @@ namespace {
 // relative to the largest coefficient, as in rank.cpp; the next one is used if omitting the terms has an
 // effect
 constexpr std::array kNegligibleTerms{1e-9, 1e-12, 0.0};
-// iterations: enough for the largest value to a per cent, and to distinguish the smallest ones by a factor of
+// enough iterations to know the largest value to 1 %, and to separate small values that differ by a factor of
 // a thousand
 constexpr int kPowerSteps = 30;
 constexpr int kInverseSteps = 20;

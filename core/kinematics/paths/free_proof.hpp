@@ -11,9 +11,9 @@ namespace jw {
 /// The mechanism with its drivers fixed at their values at `t`.
 Mechanism at_rest(Mechanism mechanism, double t);
 
-/// Proves steps of free motions, whose drivers stand still: time is the length of the path. What is left free
-/// follows the cubic path. Only joints of loops are considered: a body that hangs on one joint has one
-/// branch.
+/// Proves steps of free motions, whose drivers stand still: time is the length of the path. Freedoms that
+/// remain follow the cubic path. Only joints of loops are considered, because a body with a single joint has
+/// only one branch.
 class FreeProof {
 public:
     /// @return nothing if there is nothing to prove, or if loops have more than kMostProvedColumns
@@ -29,7 +29,8 @@ public:
     /// False if rounding hides the branch: no step from this pose can be proved, however short.
     bool decides_at(const State& state, const Motion& velocity);
 
-    /// Number of steps that fit into one movement of a hand: the work grows with the cube of the bodies.
+    /// Most steps to prove in one movement of the hand; the cost of a step grows with the cube of the number
+    /// of bodies.
     int most_steps() const;
 
 private:

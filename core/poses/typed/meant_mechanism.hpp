@@ -10,8 +10,7 @@
 /// mechanism within half a unit of the last digits moves.
 namespace jw {
 
-/// Verdict, and the geometry of each joint: that of the mechanism that was meant if it was found, otherwise
-/// as typed.
+/// Verdict, and the geometry of each joint: as meant if that mechanism was found, otherwise as typed.
 struct MeantMechanism {
     TypedVerdict verdict;
     std::vector<JointGeometry> geometry;

@@ -33,8 +33,8 @@ constexpr double kMostLinearRest = 2e-2;
 constexpr double kRounding = 1e-16;
 // singular values below it are rounding
 constexpr double kExact = 1e-13;
-// share of a joint in the combinations of redundant rows: other joints have some of the misfit, joints of a
-// loop have equal shares
+// a joint takes part in the redundancy if its share in the combinations of redundant rows exceeds this:
+// joints of a loop have equal shares, all others only the misfit
 constexpr double kTakesPart = 1e-3;
 
 /// First-order conditions A x = b for the changes x of the numbers, in half units, with which the equations
