@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::array kSizes{1e-6, 1e-3, 1.0, 1e3, 1e6};
 
-/// The lesson, which starts at rest, `s` times as large. With gravity as it is, its clock runs √s as fast.
+/// The lesson, which starts at rest, `s` times as large. With the same gravity, its motion takes √s times as
+/// long.
 Lesson lesson_scaled(Lesson lesson, double s) {
     lesson.mechanism = scaled(std::move(lesson.mechanism), s);
     for (auto& mass : lesson.dynamics->loads.masses) {
