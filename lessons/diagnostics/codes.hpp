@@ -54,6 +54,7 @@ enum class Code {
     camera_along_up,
     loose_body,
     typed_digits,
+    start_value,
     // drivers and time
     no_such_freedom = 501,
     cannot_be_driven,
@@ -97,7 +98,7 @@ inline constexpr std::array kCodeGroups{
     CodeGroup{Code::file_unreadable, Code::format_not_first, "The file"},
     CodeGroup{Code::unknown_key, Code::no_translation, "Keys and types"},
     CodeGroup{Code::unknown_name, Code::old_name, "Names"},
-    CodeGroup{Code::zero_direction, Code::typed_digits, "Geometry"},
+    CodeGroup{Code::zero_direction, Code::start_value, "Geometry"},
     CodeGroup{Code::no_such_freedom, Code::table_times, "Drivers and time"},
     CodeGroup{Code::needs_dynamics, Code::unfit_treatment, "Dynamics"},
     CodeGroup{Code::unreadable_formula, Code::not_added_yet, "Claims, questions and formulas"},

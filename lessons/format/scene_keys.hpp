@@ -126,6 +126,8 @@ inline constexpr std::array kJoint{
     spelled(
         {"theta", KeyKind::number, "start value of the coordinate of a screw or a wheel"}, Spelling::angle),
     spelled({"theta_dot", KeyKind::number, "its rate at the start"}, Spelling::angular_velocity),
+    spelled({"angle", KeyKind::number, "angle of the joint at the start"}, Spelling::angle),
+    Key{"displacement", KeyKind::number, "its displacement at the start", "m"},
     spelled(
         {"angle_dot", KeyKind::number, "rate of the joint's angle at the start of dynamics"},
         Spelling::angular_velocity),

@@ -185,6 +185,9 @@ void read_body(Fields& fields, Reading& reading) {
         read_ground(fields, body, look, mass, reading);
         return;
     }
+    if (fields.has("omega_global_rad_per_s") || fields.has("omega_global_deg_per_s")) {
+        reading.omegas_global.push_back(static_cast<int>(bodies.size()));
+    }
     bodies.push_back(body);
     reading.lesson.looks.push_back(look);
     reading.masses.push_back(mass);

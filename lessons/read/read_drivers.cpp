@@ -115,23 +115,6 @@ bool place_by_name(Fields& fields, const Reading& reading, const Located<std::st
     return true;
 }
 
-/// Value, in the start pose, of the measure that a driver prescribes [m or rad].
-double start_value(const Reading& reading, const Driver& driver) {
-    const BodyPair pair = pair_of(reading, {driver.body_i, driver.body_j, true});
-    const auto geometry = [&]() -> const JointGeometry& { return reading.joint_at(driver.joint).geometry; };
-    return std::visit(
-        Overloaded{
-            [&](const DisplacementMeasure&) { return start_displacement(pair, geometry()); },
-            [&](const SquaredDistanceMeasure& m) { return pair.d(m.P_i_local, m.P_j_local).norm(); },
-            [&](const CoordinateMeasure& m) {
-                const Body& body = reading.body_at(driver.body_j);
-                return m.coordinate < 3 ? body.r(m.coordinate) : body.p(m.coordinate - 3);
-            },
-            [&](const auto& /*angle*/) { return start_angle(pair, geometry()); },
-        },
-        driver.measure);
-}
-
 /// Checks the values over the motion and over the time of integration; without either, those at t = 0.
 void check_over_all_times(Fields& fields, const Lesson& lesson, const Driver& driver) {
     if (lesson.dynamics && driver.function.acceleration_jumps()) {
@@ -177,7 +160,9 @@ void read_driver(Fields& fields, Reading& reading) {
         driver.function = read_time_function(fields, angle);
         if (from_start && from_start->value && placed) {
             driver.function.polynomial.resize(std::max<std::size_t>(1, driver.function.polynomial.size()));
-            driver.function.polynomial[0] += start_value(reading, driver);
+            const double value = start_value(reading, driver);
+            driver.function.polynomial[0] += value;
+            reading.from_start.push_back({index, value});
         }
         fields.finish();
         if (placed && reading.problems->errors_count() == errors) {
@@ -191,6 +176,22 @@ void read_driver(Fields& fields, Reading& reading) {
 }
 
 }  // namespace
+
+double start_value(const Reading& reading, const Driver& driver) {
+    const BodyPair pair = pair_of(reading, {driver.body_i, driver.body_j, true});
+    const auto geometry = [&]() -> const JointGeometry& { return reading.joint_at(driver.joint).geometry; };
+    return std::visit(
+        Overloaded{
+            [&](const DisplacementMeasure&) { return start_displacement(pair, geometry()); },
+            [&](const SquaredDistanceMeasure& m) { return pair.d(m.P_i_local, m.P_j_local).norm(); },
+            [&](const CoordinateMeasure& m) {
+                const Body& body = reading.body_at(driver.body_j);
+                return m.coordinate < 3 ? body.r(m.coordinate) : body.p(m.coordinate - 3);
+            },
+            [&](const auto& /*angle*/) { return start_angle(pair, geometry()); },
+        },
+        driver.measure);
+}
 
 void read_drivers(Fields& root, Reading& reading) {
     for (Fields& fields : root.tables("driver", kMostDrivers)) { read_driver(fields, reading); }

@@ -18,10 +18,10 @@ void check_keys(Fields& fields) {
     fields.numbers("radii");
     fields.raw("curve");
     fields.formula("formula");
-    for (const char* key : {"theta_0", "theta"}) { fields.angle(key); }
+    for (const char* key : {"theta_0", "theta", "angle"}) { fields.angle(key); }
     for (const char* key :
          {"theta_dot_rad_per_s", "theta_dot_deg_per_s", "angle_dot_rad_per_s", "angle_dot_deg_per_s",
-          "displacement_dot"}) {
+          "displacement", "displacement_dot"}) {
         fields.number(key);
     }
     for (const char* key : {"angle_row", "parallel"}) { fields.text(key); }
@@ -74,6 +74,7 @@ void read_joint(Fields& fields, Reading& reading) {
     const auto words = fields.words("text");
     if (type) {
         read_geometry(fields, pair_of(reading, bodies), joint);
+        read_start_values(fields, joint, index, reading);
         read_parallel_form(fields, joint);
         read_without(fields, joint);
         if (!joint.name.empty()) {

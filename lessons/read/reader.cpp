@@ -92,7 +92,10 @@ Lesson read_root(Fields& root, Problems& problems) {
     // exercises are read when they are needed (lessons/exercise)
     root.has("exercise");
     root.finish();
-    if (problems.errors_count() == 0) { warn_of_loose_bodies(read, problems); }
+    if (problems.errors_count() == 0) {
+        warn_of_loose_bodies(read, problems);
+        reading::take_start_values(read);
+    }
     return std::move(read.lesson);
 }
 

@@ -36,9 +36,26 @@ struct ReadMass {
     bool given = false;  ///< also if it is wrong
 };
 
+/// Start value of a joint's angle or displacement.
+struct StartValue {
+    int joint = 0;
+    bool is_angle = false;
+    double value = 0.0;  ///< [rad] or [m]
+    SourceSpan span;
+};
+
+/// A driver whose function includes the value of its quantity in the pose of the file.
+struct FromStart {
+    int driver = 0;
+    double value = 0.0;  ///< [rad] or [m]
+};
+
 struct Reading {
     Lesson lesson;
-    std::vector<ReadMass> masses;  ///< one per body
+    std::vector<ReadMass> masses;    ///< one per body
+    std::vector<int> omegas_global;  ///< bodies whose angular velocity is given in the global frame
+    std::vector<StartValue> start_values;
+    std::vector<FromStart> from_start;
     Problems* problems = nullptr;
     std::map<std::string, Named, std::less<>> names;
 
@@ -138,6 +155,14 @@ struct PairIndices {
 };
 PairIndices read_pair(Fields& fields, const Reading& reading);
 BodyPair pair_of(const Reading& reading, const PairIndices& indices);
+
+/// Start values of the freedoms that a joint has, the entry `index` of the joints.
+void read_start_values(Fields& fields, const Joint& joint, int index, Reading& reading);
+/// Moves the bodies to the poses in which the joints have their start values; last, since all points and
+/// vectors of a file refer to the poses that it gives. Costs nothing without start values.
+void take_start_values(Reading& reading);
+/// Value, in the start pose, of the measure that a driver prescribes [m or rad].
+double start_value(const Reading& reading, const Driver& driver);
 
 /// Vectors of a joint whose type and bodies are known.
 void read_geometry(Fields& fields, const BodyPair& pair, Joint& joint);
