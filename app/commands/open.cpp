@@ -65,6 +65,7 @@ void draw_window(const WindowSetup& setup, const std::string& path) {
     constexpr int most = 2000;
     for (int k = 0; k < most && (k < 3 || host.seconds_to_change() <= 0.0 || !screen.is_complete()); ++k) {
         host.frame(1.0 / 60.0);
+        host.wait_for_rest();
         screen.draw();
     }
     render::write_file_atomically(path, render::encode_png(screen.read()));
@@ -181,7 +182,7 @@ void add_open(const CommandLine& line) {
         ->capture_default_str();
     add_value(
         command, "--tab", options.tab, "TAB",
-        "tab beside the picture: step, try, plots, newton, price or exercises")
+        "tab beside the picture: step, try, plots, newton, price, exercises or rest")
         ->check(CLI::IsMember(words_of(host::kTabs)))
         ->capture_default_str();
     add_value(command, "--exercise", options.exercise, "NAME", "exercise of the lesson to begin with");

@@ -28,7 +28,7 @@ constexpr int kSmallestHeight = 200;
 constexpr double kMeasuring = 0.25;
 // time between two frames while a story is computed [s]: without threads, drawing delays the computation
 constexpr double kTelling = 0.2;
-// time between two checks of an exercise in preparation [s]: too short to be noticed
+// time between two checks of an exercise in preparation, or of a search [s]: too short to be noticed
 constexpr double kDrawingNumbers = 0.05;
 
 /// Distance that a key scrolls the list of keys, in parts of its visible height; 0: none.
@@ -216,6 +216,7 @@ void Host::frame(double seconds) {
         resize(layout_.width, layout_.height, layout_.density);
     }
     if (!is_telling()) { look_at_exercises(); }
+    if (session_ && !has_tab(session_->lesson(), state_.tab)) { state_.tab = Tab::step; }
     ImGui::NewFrame();
     draw_interface();
     ImGui::Render();
@@ -257,6 +258,9 @@ void Host::advance(double seconds) {
         if (!refused.empty()) { state_.playback.leave_freedom(); }
         say(refused);
     }
+    if (state_.tab == Tab::rest && tabs_.rest.advance(*session_, seconds * state_.playback.speed())) {
+        rouse();
+    }
 }
 
 double Host::seconds_to_change() const {
@@ -267,7 +271,10 @@ double Host::seconds_to_change() const {
     if (tabs_.price.is_measuring()) { due = std::min(due, kMeasuring); }
     if (state_.tab == Tab::newton && tabs_.newton.is_comparing()) { return 0.0; }
     if (state_.tab == Tab::exercises && tabs_.exercises.is_handing_over()) { return 0.0; }
-    if (desk_.is_busy()) { due = std::min(due, kDrawingNumbers); }
+    const bool searches = state_.tab == Tab::rest && tabs_.rest.is_searching();
+    if (searches && tabs_.rest.has_news()) { return 0.0; }
+    if (desk_.is_busy() || searches) { due = std::min(due, kDrawingNumbers); }
+    if (swings()) { due = std::min(due, kMoving); }
     return std::min(due, state_.playback.seconds_to_change(*session_));
 }
 

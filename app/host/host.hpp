@@ -120,7 +120,9 @@ public:
 
     bool wants_to_close() const { return close_; }
     /// True while the picture changes from frame to frame: it is turned, pulled or played.
-    bool is_moving() const { return shows_lesson() && (hand_.is_busy() || state_.playback.is_moving()); }
+    bool is_moving() const {
+        return shows_lesson() && (hand_.is_busy() || state_.playback.is_moving() || swings());
+    }
     /// True if a lesson is shown, and not the browser.
     bool shows_lesson() const { return session_ && !state_.browser; }
     const Session* session() const { return session_.get(); }
@@ -146,6 +148,9 @@ public:
     void say(const std::string& message);
     const Notice& notice() const { return notice_; }
     const Predictions& predictions() const { return predictions_; }
+    const RestTab& rest() const { return tabs_.rest; }
+    /// Waits for an equilibrium that is searched for; the next frame shows it.
+    void wait_for_rest() { tabs_.rest.wait(); }
 
 private:
     void take(LessonFile file, std::unique_ptr<Session> session);
@@ -157,6 +162,7 @@ private:
     void draw_tip(const std::vector<std::string>& lines, const panels::Box& beside) const;
     void draw_step(const LessonUi& ui, const View& view);
     void advance(double seconds);
+    bool swings() const { return state_.tab == Tab::rest && tabs_.rest.is_moving(); }
     void need_characters_of_lesson();
     void refresh_shelf();
     void need_characters_of_exercises();

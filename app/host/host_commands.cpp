@@ -32,9 +32,10 @@ bool needs_lesson(Command command) {
     return std::ranges::find(always, command) == always.end();
 }
 
-Tab tab_after(Tab tab) {
-    const auto* const now = std::ranges::find(kTabs, tab, &EnumWord<Tab>::value);
-    return now + 1 == kTabs.end() ? kTabs.front().value : (now + 1)->value;
+Tab tab_after(Tab tab, const Lesson& lesson) {
+    const auto* next = std::ranges::find(kTabs, tab, &EnumWord<Tab>::value);
+    do { next = next + 1 == kTabs.end() ? kTabs.begin() : next + 1; } while (!has_tab(lesson, next->value));
+    return next->value;
 }
 
 /// @return message for the user, usually empty
@@ -133,7 +134,14 @@ void Host::carry_out(Command command) {
         case Command::tab_newton: state_.tab = Tab::newton; return;
         case Command::tab_price: state_.tab = Tab::price; return;
         case Command::tab_exercises: state_.tab = Tab::exercises; return;
-        case Command::next_tab: state_.tab = tab_after(state_.tab); return;
+        case Command::tab_rest:
+            if (has_tab(session_->lesson(), Tab::rest)) {
+                state_.tab = Tab::rest;
+                return;
+            }
+            return say(
+                tr("Only lessons with masses and forces have an equilibrium: this one has no [dynamics]."));
+        case Command::next_tab: state_.tab = tab_after(state_.tab, session_->lesson()); return;
         case Command::panel_keys: return say(use_panel_keys(state_, !state_.panel_keys));
         case Command::panel_down: return say(scroll_by(state_.column, kPage));
         case Command::panel_up: return say(scroll_by(state_.column, -kPage));
@@ -235,6 +243,7 @@ void Host::play_motion() {
 void Host::let_go() {
     task_ = DrawingTask::none;
     state_.playback.leave_freedom();
+    tabs_.rest.show_step();
     state_.symbol = -1;
     notice_.blame("");
     apply(LetGo{});

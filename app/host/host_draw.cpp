@@ -114,8 +114,9 @@ void Host::draw_step(const LessonUi& ui, const View& view) {
 const Picture& Host::picture() {
     if (!session_) { return shown_.picture(); }
     if (shows_figure()) { return shown_.of(desk_.figure()->picture()); }
-    return shown_.of(
-        *session_, state_.lit(), {tabs_.newton.ghosts(session_->told()), tabs_.newton.version()});
+    const Ghosts ghosts{tabs_.newton.ghosts(session_->told()), tabs_.newton.version()};
+    const Replacement other = state_.tab == Tab::rest ? tabs_.rest.picture(*session_) : Replacement();
+    return shown_.of(*session_, state_.lit(), ghosts, other);
 }
 
 }  // namespace jw::host

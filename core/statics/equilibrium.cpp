@@ -47,7 +47,9 @@ constexpr double kUnchanged = 1e-6;
 constexpr int kPosesBeside = 4;
 constexpr double kBeside = 1e-2;
 
-class Search {
+}  // namespace
+
+class EquilibriumSearch::Search {
 public:
     Search(const Centroidal& scene, const State& start, double t, Seek seek)
         : still_(at_rest(scene.mechanism, t)),
@@ -65,23 +67,29 @@ public:
         here_->find_forces();
     }
 
-    RestOutcome run() {
-        RestOutcome out;
-        for (;; ++out.steps) {
-            const VectorX way = direction();
-            if (is_found(way)) { break; }
-            out.failure = failure_after(out.steps);
-            if (out.failure != RestOutcome::Failure::none) { break; }
-            if (step(way)) { continue; }
-            if (here_->residual() > kAtRest) {
-                out.failure = is_nearest() ? RestOutcome::Failure::no_descent : RestOutcome::Failure::no_step;
-            }
-            break;
+    bool go_on() {
+        const VectorX way = direction();
+        if (is_found(way)) { return false; }
+        failure_ = failure_after(steps_);
+        if (failure_ != RestOutcome::Failure::none) { return false; }
+        if (step(way)) {
+            ++steps_;
+            return true;
         }
+        if (here_->residual() > kAtRest) {
+            failure_ = is_nearest() ? RestOutcome::Failure::no_descent : RestOutcome::Failure::no_step;
+        }
+        return false;
+    }
+
+    RestOutcome outcome() {
+        RestOutcome out;
+        out.failure = failure_;
         out.state = here_->state();
         out.loads = here_->loads();
         out.turns = turns_;
         out.freedoms = here_->freedoms();
+        out.steps = steps_;
         out.residual = here_->residual();
         out.acceleration = here_->layout().motion_of(here_->state(), here_->free() * here_->push());
         if (out.failure != RestOutcome::Failure::none) { return out; }
@@ -269,12 +277,23 @@ private:
     double last_residual_ = std::numeric_limits<double>::infinity();
     double looked_at_ = 0.0;  ///< residual some steps before
     std::vector<int> turns_;  ///< of the angle of each joint
+    int steps_ = 0;
+    RestOutcome::Failure failure_ = RestOutcome::Failure::none;
 };
 
-}  // namespace
+EquilibriumSearch::EquilibriumSearch(const Centroidal& scene, const State& start, double t, Seek seek)
+    : search_(std::make_unique<Search>(scene, start, t, seek)) {}
+
+EquilibriumSearch::~EquilibriumSearch() = default;
+
+bool EquilibriumSearch::go_on() { return search_->go_on(); }
+
+RestOutcome EquilibriumSearch::outcome() { return search_->outcome(); }
 
 RestOutcome find_equilibrium(const Centroidal& scene, const State& start, double t, Seek seek) {
-    return Search(scene, start, t, seek).run();
+    EquilibriumSearch search(scene, start, t, seek);
+    while (search.go_on()) {}
+    return search.outcome();
 }
 
 }  // namespace jw

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/motion/loads.hpp"
@@ -49,5 +50,22 @@ struct RestOutcome {
 /// @param start of the centroidal frames, satisfies the constraints at time `t` [s]
 /// @source slide 24 with q̇ = q̈ = 0
 RestOutcome find_equilibrium(const Centroidal& scene, const State& start, double t, Seek seek);
+
+/// The same search step by step, for callers that do other work in between.
+class EquilibriumSearch {
+public:
+    /// Arguments as of find_equilibrium; `scene` must outlive the search.
+    EquilibriumSearch(const Centroidal& scene, const State& start, double t, Seek seek);
+    ~EquilibriumSearch();
+
+    /// Takes the next step. @return false if the search has ended
+    bool go_on();
+    /// Result of a search that has ended. Call it once: it computes the small motions.
+    RestOutcome outcome();
+
+private:
+    class Search;
+    std::unique_ptr<Search> search_;
+};
 
 }  // namespace jw

@@ -79,6 +79,8 @@ TEST_CASE("rest tells where a pendulum hangs, its reactions, and how it swings",
     CHECK(rest["modes"][0]["frequency_hz"].get<double>() == Approx(0.498239).epsilon(1e-5));
     CHECK(named(rest["modes"][0]["joints"], "pin.angle")["amplitude"][0] == 1.0);
     CHECK_THAT(run({"rest", kPendulum}).out, Catch::Contains("Stable: the potential energy"));
+    // 0.15 / (2 sqrt(0.12 · 2.943)), see tests/app/host/rest_tab_test.cpp
+    CHECK_THAT(run({"rest", lesson_path("statics/lamp.toml")}).out, Catch::Contains("damping ratio 0.1262"));
 }
 
 TEST_CASE("rest tells which torque holds a joint where it starts", "[app][rest]") {

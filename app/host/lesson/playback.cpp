@@ -15,9 +15,7 @@ namespace {
 constexpr double kSlowest = 0.25;
 constexpr double kFastest = 4.0;
 constexpr double kFreedomSeconds = 3.0;  // there and back
-// time between two frames of a motion [s]: no display shows more
-constexpr double kMoving = 1.0 / 60.0;
-constexpr double kCountdown = 0.25;  // time between two updates of the countdown [s]
+constexpr double kCountdown = 0.25;      // time between two updates of the countdown [s]
 
 }  // namespace
 

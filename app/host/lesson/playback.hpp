@@ -6,6 +6,9 @@
 
 namespace jw::host {
 
+/// Time between two frames of a motion [s]: no display shows more.
+inline constexpr double kMoving = 1.0 / 60.0;
+
 /// Playback of the story from step to step, or of one of the free motions there and back.
 class Playback {
 public:

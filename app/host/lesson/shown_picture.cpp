@@ -20,14 +20,16 @@ Emphasis emphasis_of(const Session& session, const Lit& lit) {
     return all;
 }
 
-const Picture& ShownPicture::of(const Session& session, const Lit& lit, const Ghosts& ghosts) {
-    MadeOf wanted{session.version(), lit, ghosts.version, !ghosts.poses.empty()};
+const Picture& ShownPicture::of(
+    const Session& session, const Lit& lit, const Ghosts& ghosts, const Replacement& other) {
+    const std::uint64_t replaced = other.picture != nullptr ? other.version : 0;
+    MadeOf wanted{session.version(), lit, ghosts.version, !ghosts.poses.empty(), replaced};
     if (made_of_ == wanted) { return picture_; }
     still_ = nullptr;
-    picture_ = session.picture();
+    picture_ = other.picture != nullptr ? *other.picture : session.picture();
     add_ghosts(session.lesson(), session.style(), ghosts.poses, picture_);
     light_up(picture_, emphasis_of(session, lit));
-    if (made_of_.session != wanted.session) { ++pose_version_; }
+    if (made_of_.session != wanted.session || made_of_.other != wanted.other) { ++pose_version_; }
     ++version_;
     made_of_ = std::move(wanted);
     return picture_;

@@ -25,10 +25,17 @@ struct Ghosts {
     std::uint64_t version = 0;  ///< grows with every change of the poses
 };
 
+/// A picture that is shown in place of that of the session.
+struct Replacement {
+    const Picture* picture = nullptr;  ///< null: none
+    std::uint64_t version = 0;         ///< above 0; grows with every change of the picture
+};
+
 /// The picture of a session with highlights and ghosts, made again only if one of these has changed.
 class ShownPicture {
 public:
-    const Picture& of(const Session& session, const Lit& lit, const Ghosts& ghosts);
+    const Picture& of(
+        const Session& session, const Lit& lit, const Ghosts& ghosts, const Replacement& other = {});
     /// A picture that does not belong to a session; it is identified by its address.
     const Picture& of(const Picture& still);
     /// The picture that was made last; empty before.
@@ -53,6 +60,7 @@ private:
         Lit lit;
         std::uint64_t ghosts = 0;
         bool has_ghosts = false;
+        std::uint64_t other = 0;  ///< version of what replaces it; 0: nothing
 
         bool operator==(const MadeOf&) const = default;
     };

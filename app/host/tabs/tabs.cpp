@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include <imgui.h>
@@ -20,11 +21,19 @@ namespace {
 using panels::Box;
 namespace theme = panels::theme;
 
+/// The tabs of a lesson.
+std::vector<EnumWord<Tab>> tabs_of(const Lesson& lesson) {
+    std::vector<EnumWord<Tab>> tabs(kTabs.begin(), kTabs.end());
+    std::erase_if(tabs, [&](const EnumWord<Tab>& tab) { return !has_tab(lesson, tab.value); });
+    return tabs;
+}
+
 /// Places of the tabs side by side, each as wide as its words need.
-std::vector<Box> places_of_tabs(const panels::Canvas& canvas, const Box& strip, const ImFont* font) {
+std::vector<Box> places_of_tabs(
+    const panels::Canvas& canvas, const Box& strip, std::span<const EnumWord<Tab>> tabs, const ImFont* font) {
     std::vector<float> widths;
     float all = 0.0F;
-    for (const EnumWord<Tab>& tab : kTabs) {
+    for (const EnumWord<Tab>& tab : tabs) {
         widths.push_back(canvas.text_width(font, tab.label));
         all += widths.back();
     }
@@ -39,9 +48,10 @@ std::vector<Box> places_of_tabs(const panels::Canvas& canvas, const Box& strip, 
 }
 
 /// The largest font in which all tabs fit.
-const ImFont* font_of_tabs(const panels::Canvas& canvas, const Box& strip) {
+const ImFont* font_of_tabs(
+    const panels::Canvas& canvas, const Box& strip, std::span<const EnumWord<Tab>> tabs) {
     float width = 0.0F;
-    for (const EnumWord<Tab>& tab : kTabs) {
+    for (const EnumWord<Tab>& tab : tabs) {
         width += canvas.text_width(canvas.fonts().bold, tab.label) + canvas.px(8.0F);
     }
     return width <= strip.width ? canvas.fonts().bold : canvas.fonts().small;
@@ -49,13 +59,14 @@ const ImFont* font_of_tabs(const panels::Canvas& canvas, const Box& strip) {
 
 void tab_strip(const LessonUi& ui, const Box& strip) {
     const panels::Canvas& canvas = ui.canvas;
-    const ImFont* const widest = font_of_tabs(canvas, strip);
-    const std::vector<Box> places = places_of_tabs(canvas, strip, widest);
+    const std::vector<EnumWord<Tab>> tabs = tabs_of(ui.session.lesson());
+    const ImFont* const widest = font_of_tabs(canvas, strip, tabs);
+    const std::vector<Box> places = places_of_tabs(canvas, strip, tabs, widest);
     canvas.fill(strip, theme::kShade);
     Area area(ui, "tabs", strip);
-    constexpr int count = static_cast<int>(kTabs.size());
+    const int count = static_cast<int>(tabs.size());
     for (int k = 0; k < count; ++k) {
-        const Tab tab = kTabs[static_cast<std::size_t>(k)].value;
+        const Tab tab = tabs[static_cast<std::size_t>(k)].value;
         const Box box = places[static_cast<std::size_t>(k)];
         const bool chosen = ui.state.tab == tab;
         ImGui::SetCursorScreenPos({box.x, box.y});
@@ -85,6 +96,7 @@ void side_column(
     const ExerciseWork& work) {
     tab_strip(ui, layout.tabs);
     if (ui.state.tab != Tab::newton) { tabs.newton.forget_ghosts(); }
+    if (ui.state.tab != Tab::rest) { tabs.rest.leave(); }
     if (ui.state.tab == Tab::step) {
         const View& view = ui.session.view();
         const float height = panels::column_height(ui.canvas, layout.column, view);
@@ -101,6 +113,7 @@ void side_column(
         case Tab::newton: return tabs.newton.draw(ui, layout.column);
         case Tab::price: return tabs.price.draw(ui, layout.column);
         case Tab::exercises: return tabs.exercises.draw(ui, layout.column, practice, work);
+        case Tab::rest: return tabs.rest.draw(ui, layout.column);
         case Tab::step: return;
     }
 }

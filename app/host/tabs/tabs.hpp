@@ -6,6 +6,7 @@
 #include "app/host/tabs/newton_tab.hpp"
 #include "app/host/tabs/plot_tab.hpp"
 #include "app/host/tabs/price_tab.hpp"
+#include "app/host/tabs/rest_tab.hpp"
 #include "app/host/ui/ui.hpp"
 
 /// Column beside the picture: the panels of the step, or a tab to experiment and compare.
@@ -17,6 +18,7 @@ struct Tabs {
     NewtonTab newton{};
     PriceTab price{};
     ExerciseTab exercises{};
+    RestTab rest{};
 };
 
 /// The tabs and the column under them.

@@ -32,6 +32,7 @@ constexpr auto kCommands = [] {
         {tab_newton, Group::panels, tr_later("Newton-Raphson, compared"), "4", Key::none, '4'},
         {tab_price, Group::panels, tr_later("Cost: speed against error"), "5", Key::none, '5'},
         {tab_exercises, Group::panels, tr_later("Exercises of this lesson"), "6", Key::none, '6'},
+        {tab_rest, Group::panels, tr_later("At rest: equilibrium and small motions"), "7", Key::none, '7'},
         {next_tab, Group::panels, tr_later("Next tab"), tr_later("Tab"), Key::tab},
         {panel_keys, Group::panels, tr_later("Arrows move in the panel"), "w", Key::none, 'w'},
         {panel_down, Group::panels, tr_later("Scroll the panel down"), "]", Key::none, ']'},

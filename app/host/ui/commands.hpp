@@ -30,6 +30,7 @@ enum class Command {
     tab_newton,
     tab_price,
     tab_exercises,
+    tab_rest,
     next_tab,
     panel_keys,
     panel_down,

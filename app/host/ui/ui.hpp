@@ -16,20 +16,25 @@
 /// while a frame is drawn; the host carries out the requests afterwards.
 namespace jw::host {
 
-enum class Tab { step, experiments, plot, newton, price, exercises };
+enum class Tab { step, experiments, plot, newton, price, exercises, rest };
 inline constexpr std::array kTabs{
     EnumWord<Tab>{Tab::step, "step", tr_later("Step")},
     EnumWord<Tab>{Tab::experiments, "try", tr_later("Try it")},
     EnumWord<Tab>{Tab::plot, "plots", tr_later("Plots")},
     EnumWord<Tab>{Tab::newton, "newton", tr_later("Newton")},
     EnumWord<Tab>{Tab::price, "price", tr_later("Cost")},
-    EnumWord<Tab>{Tab::exercises, "exercises", tr_later("Exercises")}};
+    EnumWord<Tab>{Tab::exercises, "exercises", tr_later("Exercises")},
+    EnumWord<Tab>{Tab::rest, "rest", tr_later("At rest")}};
 
 /// The command that shows a tab: the two enumerations have the same order.
 constexpr Command command_of(Tab tab) {
     return static_cast<Command>(static_cast<int>(Command::tab_step) + static_cast<int>(tab));
 }
-static_assert(command_of(kTabs.back().value) == Command::tab_exercises);
+static_assert(command_of(kTabs.back().value) == Command::tab_rest);
+
+/// True if a lesson has a tab: without [dynamics], nothing comes to rest. That tab is the last one, so that
+/// the others have the same places in all lessons.
+inline bool has_tab(const Lesson& lesson, Tab tab) { return tab != Tab::rest || lesson.dynamics.has_value(); }
 
 /// The parts of the window: a frame of panels with tabs above its column, and the timeline below.
 struct WindowLayout : panels::FrameLayout {

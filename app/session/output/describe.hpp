@@ -22,6 +22,18 @@ struct RestView;
 /// An equilibrium as text for a terminal.
 std::string describe(const RestView& view);
 
+/// The same texts for a narrow column.
+struct RestWords {
+    struct SmallMotion {
+        std::string in_time;  ///< frequency, growth or decay
+        std::string joints;   ///< that move most
+    };
+    std::string verdict;                  ///< whether it is stable
+    std::vector<std::string> quantities;  ///< "hinge.angle 30 deg"
+    std::vector<SmallMotion> motions;     ///< one per mode
+};
+RestWords words_of(const RestView& view);
+
 // text beside the pointer, line by line, with formulas between dollar signs
 
 /// Lines about a symbol: its meaning, and its value for each thing that it can stand for.

@@ -57,13 +57,16 @@ std::string value_cell(const Quantity& quantity, const RestView& view) {
         without_rounding(value.value(), size_of(quantity, view)) * factor_of_unit(quantity), 6);
 }
 
+/// Name, value and unit of a quantity.
+std::vector<std::string> cells_of(const NamedQuantity& named, const RestView& view) {
+    return {
+        name_of(named.quantity, 0, *view.mechanism), value_cell(named.quantity, view),
+        unit_text(named.quantity, 0)};
+}
+
 std::string quantities_text(const RestView& view) {
     TextRows table{{tr("quantity"), tr("value"), ""}};
-    for (const NamedQuantity& named : view.quantities) {
-        table.push_back(
-            {name_of(named.quantity, 0, *view.mechanism), value_cell(named.quantity, view),
-             unit_text(named.quantity, 0)});
-    }
+    for (const NamedQuantity& named : view.quantities) { table.push_back(cells_of(named, view)); }
     return text_table(table, columns_of_numbers(3, 2));
 }
 
@@ -121,16 +124,38 @@ std::string rate_text(std::complex<double> s) {
     if (s.imag() == 0.0) { return growth; }
     const std::string frequency = tr("{0} Hz", number_text(s.imag() * 0.5 * std::numbers::inv_pi, 6));
     if (std::abs(s.real()) < kTooLittle * s.imag()) { return frequency; }
-    return frequency + ", " + growth;
+    if (s.real() > 0.0) { return frequency + ", " + growth; }
+    return frequency + ", " + growth + ", " + tr("damping ratio {0}", number_text(-s.real() / std::abs(s)));
+}
+
+std::string verdict_of(const RestView& view) {
+    std::string verdict = stability_text(view.outcome);
+    if (view.outcome.motions.stability == Stability::unstable && view.seek == Seek::where_it_rests) {
+        verdict +=
+            std::string(" ") +
+            tr("The mechanism starts exactly there. Start near this pose to see where it comes to rest.");
+    }
+    if (view.without_friction) {
+        verdict += std::string(" ") +
+                   tr("Dry friction is neglected: with it, the mechanism can also stop near this pose.");
+    }
+    return verdict;
+}
+
+std::vector<RestWords::SmallMotion> motions_of(const RestView& view) {
+    std::vector<RestWords::SmallMotion> motions;
+    for (std::size_t k = 0; k < view.modes.size(); ++k) {
+        motions.push_back(
+            {rate_text(view.outcome.motions.modes[k].s), joints_text(view.modes[k], *view.mechanism)});
+    }
+    return motions;
 }
 
 std::string modes_text(const RestView& view) {
     if (view.modes.empty()) { return {}; }
     TextRows table{{tr("mode"), tr("in time"), tr("joints that move most")}};
-    for (std::size_t k = 0; k < view.modes.size(); ++k) {
-        table.push_back(
-            {std::to_string(k + 1), rate_text(view.outcome.motions.modes[k].s),
-             joints_text(view.modes[k], *view.mechanism)});
+    for (const auto& [in_time, joints] : motions_of(view)) {
+        table.push_back({std::to_string(table.size()), in_time, joints});
     }
     std::vector<TextColumn> columns = columns_of_numbers(3, 2);
     columns[1].right = false;
@@ -196,18 +221,17 @@ std::string describe(const RestView& view) {
     const std::string head =
         tr("Equilibrium, found in {0} steps from the start pose. Drivers and loads are fixed at t = 0.",
            view.outcome.steps);
-    std::string verdict = stability_text(view.outcome);
-    if (view.outcome.motions.stability == Stability::unstable && view.seek == Seek::where_it_rests) {
-        verdict +=
-            std::string(" ") +
-            tr("The mechanism starts exactly there. Start near this pose to see where it comes to rest.");
-    }
-    if (view.without_friction) {
-        verdict += std::string(" ") +
-                   tr("Dry friction is neglected: with it, the mechanism can also stop near this pose.");
-    }
-    return "  " + head + "\n  " + verdict + "\n\n" + quantities_text(view) + reactions_text(view) +
+    return "  " + head + "\n  " + verdict_of(view) + "\n\n" + quantities_text(view) + reactions_text(view) +
            modes_text(view);
+}
+
+RestWords words_of(const RestView& view) {
+    RestWords words{verdict_of(view), {}, motions_of(view)};
+    for (const NamedQuantity& named : view.quantities) {
+        const std::vector<std::string> cells = cells_of(named, view);
+        words.quantities.push_back(cells[0] + " = " + cells[1] + ' ' + cells[2]);
+    }
+    return words;
 }
 
 Json json_of(const RestView& view, const Lesson& lesson) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "app/session/story/story_telling.hpp"
 #include "app/session/story/taking_part.hpp"
 #include "app/session/view/inspection.hpp"
 #include "app/session/wording/messages.hpp"
@@ -229,19 +230,44 @@ RestView find_rest(const Lesson& lesson, const RestRequest& request) {
     if (!lesson.dynamics) {
         throw std::invalid_argument("this lesson has no [dynamics]; expected masses and a table [dynamics]");
     }
+    RestSearch search(lesson, request);
+    while (search.go_on()) {}
+    return search.view();
+}
+
+RestSearch::RestSearch(const Lesson& lesson, RestRequest request)
+    : lesson_(&lesson), request_(std::move(request)) {
     // not at the first time of [motion]
     StoryOptions at_zero = last_pose_only();
     at_zero.start_time = 0.0;
-    const Story story(lesson, at_zero);
-    if (const Step* failed = story.failure()) { throw not_reached(lesson, *failed); }
-    const State& assembled = story.steps().back().state;
+    telling_ = std::make_unique<StoryTelling>(lesson, at_zero);
+}
 
-    RestView view;
-    view.seek = request.seek;
-    view.mechanism = std::make_shared<const Mechanism>(with_held(added_of(lesson), request.held, assembled));
-    auto scene = std::make_shared<const Centroidal>(centroidal(*view.mechanism, lesson.dynamics->loads));
-    view.outcome = find_equilibrium(*scene, scene->to_centroidal(assembled), 0.0, request.seek);
-    scene = std::make_shared<const Centroidal>(scene->mechanism, view.outcome.loads, scene->centres);
+RestSearch::~RestSearch() = default;
+
+bool RestSearch::go_on() {
+    if (search_) { return search_->go_on(); }
+    if (!telling_->go_on()) { begin_search(); }
+    return true;
+}
+
+void RestSearch::begin_search() {
+    const Story story = telling_->story();
+    if (const Step* failed = story.failure()) { throw not_reached(*lesson_, *failed); }
+    const State& assembled = story.steps().back().state;
+    view_.seek = request_.seek;
+    view_.mechanism =
+        std::make_shared<const Mechanism>(with_held(added_of(*lesson_), request_.held, assembled));
+    scene_ = std::make_shared<const Centroidal>(centroidal(*view_.mechanism, lesson_->dynamics->loads));
+    search_ =
+        std::make_unique<EquilibriumSearch>(*scene_, scene_->to_centroidal(assembled), 0.0, request_.seek);
+}
+
+RestView RestSearch::view() {
+    RestView& view = view_;
+    view.outcome = search_->outcome();
+    const auto scene =
+        std::make_shared<const Centroidal>(scene_->mechanism, view.outcome.loads, scene_->centres);
     Instant& instant = view.instant;
     instant.state = scene->as_given(view.outcome.state);
     instant.turns = view.outcome.turns;
@@ -255,11 +281,11 @@ RestView find_rest(const Lesson& lesson, const RestRequest& request) {
         view.modes.push_back(joints_of(mode, view, *scene, view.outcome.state));
     }
     const auto rubs = [](const auto& spring) { return spring.friction.size != 0.0; };
-    const Loads& loads = lesson.dynamics->loads;
+    const Loads& loads = lesson_->dynamics->loads;
     view.without_friction =
         std::ranges::any_of(loads.springs, rubs) || std::ranges::any_of(loads.rotational_springs, rubs);
     view.failure = failure_text(view);
-    return view;
+    return std::move(view_);
 }
 
 }  // namespace jw

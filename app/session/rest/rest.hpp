@@ -14,6 +14,8 @@
 /// motions about it.
 namespace jw {
 
+class StoryTelling;
+
 struct RestRequest {
     Seek seek = Seek::where_it_rests;
     std::vector<std::string> held;  ///< joints whose angle or displacement stays what it is at the start
@@ -41,6 +43,30 @@ struct RestView {
 ///         is driven, has no coordinate, or has several and none of them is named
 /// @throws PoseNotReached if the lesson cannot be assembled
 RestView find_rest(const Lesson& lesson, const RestRequest& request);
+
+/// find_rest in pieces, for callers that do other work in between.
+class RestSearch {
+public:
+    /// @param lesson  with [dynamics]; must outlive the search
+    RestSearch(const Lesson& lesson, RestRequest request);
+    ~RestSearch();
+
+    /// Does the next piece: assembles a joint, or takes a step of the search. @throws as find_rest
+    /// @return false if the search has ended
+    bool go_on();
+    /// Result of a search that has ended; call it once.
+    RestView view();
+
+private:
+    void begin_search();
+
+    const Lesson* lesson_;
+    RestRequest request_;
+    std::unique_ptr<StoryTelling> telling_;  ///< of the assembly
+    RestView view_;
+    std::shared_ptr<const Centroidal> scene_;
+    std::unique_ptr<EquilibriumSearch> search_;  ///< once the mechanism is assembled
+};
 
 /// Stable, unstable or not known, in one sentence.
 std::string stability_text(const RestOutcome& outcome);

@@ -154,7 +154,7 @@ TEST_CASE("Every letter beside the picture can be read, at any size of text and 
             for (const float text : kTexts) {
                 Person person(name + ".toml", Person::Pictures::none, size.width, size.height, false, text);
                 person.go_to(person.session().story().last_assembled() + 2);
-                for (const char tab : {'2', '3', '4', '5', '6'}) {
+                for (const char tab : {'2', '3', '4', '5', '6', '7'}) {
                     person.type(std::string_view(&tab, 1));
                     CAPTURE(name, size.width, text, tab);
                     CHECK(unreadable(person) == "");
