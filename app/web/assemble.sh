@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The page as a folder of static files: assemble.sh BUILT NPM TOOLCHAIN INTO. BUILT has jointwise.js, .wasm and .data, NPM
-# the packages of npm/package.json, TOOLCHAIN the compiler (cmake/web/toolchain.sh).
+# the packages of npm/package.json, the scripts beside it and lesson.schema.json, TOOLCHAIN the compiler (cmake/web/toolchain.sh).
 set -euo pipefail
 
 built=$1 npm=$2 toolchain=$3 into=$4
