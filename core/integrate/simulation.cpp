@@ -14,6 +14,7 @@
 #include "core/motion/dense/dense_equations.hpp"
 #include "core/motion/forces.hpp"
 #include "core/motion/singular_steps.hpp"
+#include "core/motion/spring_turns.hpp"
 #include "core/motion/start_velocities.hpp"
 #include "core/motion/time_events.hpp"
 #include "core/motion/tree/tree_equations.hpp"
@@ -194,10 +195,8 @@ Baumgarte Simulation::stabilisation() const {
     return {settings_.baumgarte, settings_.baumgarte};
 }
 
-/// Pure damping does not depend on the angle, so only springs with stiffness or a law need turns.
-bool Simulation::counts_turns() const {
-    return std::ranges::any_of(scene_.loads.rotational_springs, &RotationalSpring::depends_on_angle);
-}
+/// Pure damping does not depend on the angle: it needs no turns.
+bool Simulation::counts_turns() const { return depends_on_turns(scene_.loads); }
 
 void Simulation::count_turns_at(const std::vector<double>& y) {
     if (!counts_turns()) { return; }

@@ -54,6 +54,7 @@ struct SimulationFailure {
     bool bound_by_stability = false;
     std::string fastest = {};   ///< for too_many_steps: the body that turned fastest
     double fastest_rate = 0.0;  ///< its |ω| [rad/s]
+    std::string law = {};       ///< for step_too_small: the law of a load that has no value or no slope there
 };
 
 /// Progress of a run.

@@ -100,7 +100,10 @@ SimulationFailure Simulation::failure_of(const TimeStepper& stepper) const {
         if (off > kBlewUp) { return {Cause::not_finite, t, {}, 0.0}; }
         if (off > kMet) { return worst_equation(Cause::out_of_reach, Off::value, t, there); }
     }
-    return {Cause::step_too_small, stepper.t(), {}, 0.0};
+    SimulationFailure failure{Cause::step_too_small, stepper.t(), {}, 0.0};
+    const auto [state, motion] = unpacked(flat_of(stepper.y()));
+    failure.law = law_without_slope(scene_.loads, kinematics_of(state, motion), failure.t);
+    return failure;
 }
 
 /// True if accelerations of the block equations satisfy all rows, including those that are left out.
@@ -148,16 +151,16 @@ std::optional<SimulationFailure> Simulation::failure_of_turns(double t, const st
     const auto [state, motion] = unpacked(y);
     const Motion none = zero_motion(scene_.mechanism);
     SimulationFailure failure{SimulationFailure::Cause::turns_lost, t, {}, 0.0};
-    for (const RotationalSpring& spring : scene_.loads.rotational_springs) {
+    for_each_angle(scene_.loads, [&](const RotationalSpring& spring) {
         const Measured angle =
             evaluate_measure(spring.angle, spring.body_i, spring.body_j, -1, state, motion, none);
         const double turn = settings_.step * std::abs(angle.rate);
-        if (!spring.depends_on_angle() || turn <= std::max(most, failure.turn)) { continue; }
+        if (!spring.depends_on_angle() || turn <= std::max(most, failure.turn)) { return; }
         failure.turn = turn;
         const auto joint = std::ranges::find_if(
             scene_.mechanism.joints, [&](const Joint& of) { return acts_about(spring, of); });
         failure.equation_of = joint != scene_.mechanism.joints.end() ? joint->name : std::string();
-    }
+    });
     if (failure.turn == 0.0) { return std::nullopt; }
     return failure;
 }

@@ -23,9 +23,6 @@ int operands_of(FormulaStep::Kind kind) {
 
 namespace {
 
-constexpr std::size_t kMostVariables = 2;
-// relative to x: errors of poses are smaller
-constexpr double kBeside = 1e-9;
 // relative error of an integral; a kink is located to 2^-40 of the range
 constexpr double kAccuracy = 1e-12;
 constexpr int kDeepestHalving = 40;
@@ -33,11 +30,11 @@ constexpr int kDeepestHalving = 40;
 constexpr int kMostPieces = 20000;
 
 template <class T>
-using Variables = std::array<T, kMostVariables>;
+using Variables = std::array<T, ScalarFormula::kMostVariables>;
 
 template <class S, std::size_t N>
-Taylor<S, N> at_rest(const ScalarFormula& formula, const Taylor<S, N>& x, const Taylor<S, N>& rate = {}) {
-    const Variables<Taylor<S, N>> variables{x, rate};
+Taylor<S, N> at_rest(const ScalarFormula& formula, const Taylor<S, N>& x) {
+    const Variables<Taylor<S, N>> variables{x};
     return formula_steps::evaluated<Taylor<S, N>>(formula.steps, variables);
 }
 
@@ -139,16 +136,23 @@ bool ScalarFormula::uses_any(int first, int last) const {
     });
 }
 
-ScalarFormula::Slopes ScalarFormula::slopes_at(double x) const {
-    using T = Taylor<double, 2>;
-    const auto [value, by_x] = at_rest(*this, T::variable(x)).c;
-    return {value, by_x, at_rest(*this, T::constant(x), T::variable(0.0)).c[1]};
+ScalarFormula ScalarFormula::along(std::span<const double> variables, std::size_t k) const {
+    using Kind = FormulaStep::Kind;
+    ScalarFormula out = *this;
+    for (FormulaStep& step : out.steps) {
+        if (step.kind != Kind::variable) { continue; }
+        const auto index = static_cast<std::size_t>(step.number);
+        step = index == k ? FormulaStep{Kind::variable, 0.0} : FormulaStep{Kind::number, variables[index]};
+    }
+    return out;
 }
 
-bool ScalarFormula::is_smooth_at(double x) const {
+double ScalarFormula::slope_at(double x) const { return at_rest(*this, Taylor<double, 2>::variable(x)).c[1]; }
+
+bool ScalarFormula::is_smooth_at(double x, double beside) const {
     using T = Taylor<Interval, 2>;
-    const double beside = kBeside * std::max(1.0, std::abs(x));
-    return at_rest(*this, T::variable({x - beside, x + beside})).c[1].is_bounded();
+    const double most = beside * std::max(1.0, std::abs(x));
+    return at_rest(*this, T::variable({x - most, x + most})).c[1].is_bounded();
 }
 
 double ScalarFormula::integral(double from, double to) const {

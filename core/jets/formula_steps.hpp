@@ -42,11 +42,15 @@ struct FormulaStep {
 struct ScalarFormula {
     /// Most numbers on the stack at once.
     static constexpr std::size_t kDeepest = 32;
+    /// Most variables of a formula that is evaluated by `at`.
+    static constexpr std::size_t kMostVariables = 17;
+    /// Errors of poses are smaller.
+    static constexpr double kBeside = 1e-9;
 
     std::string source;
     std::vector<FormulaStep> steps;
 
-    /// Value of a formula of at most two variables; not finite where it has none.
+    /// Value of a formula of at most kMostVariables variables; not finite where it has none.
     double at(std::span<const double> variables) const;
     /// Size of the terms that make up the value: the rounding error of the value is relative to this size.
     double size_at(std::span<const double> variables) const;
@@ -55,16 +59,17 @@ struct ScalarFormula {
     /// True if a step pushes a variable whose index is at least `first` and below `last`.
     bool uses_any(int first, int last) const;
 
-    /// Value and first derivatives of a formula of x and its rate, at rate 0.
-    struct Slopes {
-        double value = 0.0;
-        double by_x = 0.0;
-        double by_rate = 0.0;
-    };
-    Slopes slopes_at(double x) const;
-    /// True if the slope by x is proved to exist at x and at all points that differ from x only by rounding.
-    bool is_smooth_at(double x) const;
-    /// Integral over x at rate 0; NaN if a value in between does not exist, or if too many parts are needed.
+    /// The formula as a function of the variable with index `k` alone, which gets the index 0.
+    /// @param variables  numbers that replace the others
+    ScalarFormula along(std::span<const double> variables, std::size_t k) const;
+    /// Slope of a formula of x.
+    double slope_at(double x) const;
+    /// True if the slope by x is proved to exist at x and at all points beside it: by default, at those that
+    /// differ from x only by rounding.
+    /// @param beside  distance of the points, relative to x beyond 1
+    bool is_smooth_at(double x, double beside = kBeside) const;
+    /// Integral over x, where all other variables are 0; NaN if a value in between does not exist, or if too
+    /// many parts are needed.
     double integral(double from, double to) const;
 
     bool operator==(const ScalarFormula&) const = default;

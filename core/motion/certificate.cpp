@@ -73,7 +73,8 @@ void Certificate::find_loaded() {
         if (torque.against >= 0) { counts[at(torque.against)] = true; }
     }
     std::ranges::for_each(loads.springs, mark_both);
-    std::ranges::for_each(loads.rotational_springs, mark_both);
+    for_each_angle(loads, mark_both);
+    for_each_measuring<Spring>(loads, mark_both);
     std::ranges::for_each(loads.bushings, mark_both);
     for (std::size_t m = 0; m < moving_.size(); ++m) {
         if (counts[at(moving_[m])]) { loaded_moving_.push_back(static_cast<int>(m)); }

@@ -141,15 +141,42 @@ void add_bushing(const Bushing& bushing, Bodies bodies, Forces forces) {
     forces[at(bushing.body_j)].n_local -= bodies[at(bushing.body_j)].A.transpose() * n;
 }
 
+/// t, and the values and rates of what a law reads.
+using LawVariables = std::array<double, ScalarFormula::kMostVariables>;
+LawVariables variables_of(const LoadLaw& law, Bodies bodies, double t) {
+    LawVariables out{t};
+    double* next = &out[1];
+    for (const LoadLaw::Quantity& quantity : law.quantities) {
+        const auto put = [&](double value, double rate) {
+            *next++ = value;
+            *next++ = rate;
+        };
+        if (const auto* angle = std::get_if<RotationalSpring>(&quantity.measured)) {
+            const Twist twist = twist_of(*angle, bodies);
+            put(twist.angle, twist.rate);
+        } else {
+            const Stretch stretch = stretch_of(std::get<Spring>(quantity.measured), bodies);
+            put(stretch.length, stretch.rate);
+        }
+    }
+    return out;
+}
+
+/// Magnitude of a force or a torque.
+double magnitude_of(const auto& load, Bodies bodies, double t) {
+    const double of_time = load.magnitude.at(t).f;
+    return load.law ? of_time + value_of(*load.law, bodies, t) : of_time;
+}
+
 void add_applied(const Loads& loads, Bodies bodies, double t, Forces forces) {
     for (const AppliedForce& force : loads.forces) {
-        const Vec3 f = force.magnitude.at(t).f * force.direction;
+        const Vec3 f = magnitude_of(force, bodies, t) * force.direction;
         const bool turns = force.frame == Frame::local;
         push(
             bodies, forces, force.body, force.point_local, turns ? (bodies[at(force.body)].A * f).eval() : f);
     }
     for (const AppliedTorque& torque : loads.torques) {
-        const Vec3 n = torque.magnitude.at(t).f * torque.direction;
+        const Vec3 n = magnitude_of(torque, bodies, t) * torque.direction;
         const bool turns = torque.frame == Frame::local;
         const Vec3 n_local = turns ? n : (bodies[at(torque.body)].A.transpose() * n).eval();
         forces[at(torque.body)].n_local += n_local;
@@ -159,15 +186,38 @@ void add_applied(const Loads& loads, Bodies bodies, double t, Forces forces) {
     }
 }
 
-double force_of(const std::optional<ScalarFormula>& law, double value, double rate) {
-    return law ? law->at(std::array{value, rate}) : 0.0;
+double force_of(const std::optional<ScalarFormula>& law, double value, double rate, double t) {
+    return law ? law->at(std::array{value, rate, t}) : 0.0;
 }
 
-void add_springs(const Loads& loads, Bodies bodies, Forces forces) {
+/// Energy of a spring's law.
+double energy_of_law(const auto& spring, double from, double to) {
+    return spring.law && !depends_on_time(spring) ? spring.law->integral(from, to) : 0.0;
+}
+
+/// Calls `f` with each formula of a load, the values of its variables and the index of t.
+void for_each_formula(auto& loads, Bodies bodies, double t, auto&& f) {
+    constexpr int index_in_springs = 2;
+    for (auto& spring : loads.springs) {
+        if (!spring.law) { continue; }
+        const Stretch stretch = stretch_of(spring, bodies);
+        f(*spring.law, std::array{stretch.length, stretch.rate, t}, index_in_springs);
+    }
+    for (auto& spring : loads.rotational_springs) {
+        if (!spring.law) { continue; }
+        const Twist twist = twist_of(spring, bodies);
+        f(*spring.law, std::array{twist.angle + spring.free_angle, twist.rate, t}, index_in_springs);
+    }
+    for_each_law(
+        loads, [&](auto& law) { f(law.formula, variables_of(law, bodies, t), LoadLaw::index_of_time); });
+}
+
+void add_springs(const Loads& loads, Bodies bodies, double t, Forces forces) {
     for (const Spring& spring : loads.springs) {
         const Stretch s = stretch_of(spring, bodies);
         const double pull = spring.stiffness * (s.length - spring.free_length) + spring.damping * s.rate;
-        const Vec3 f = (pull + spring.friction.at(s.rate) + force_of(spring.law, s.length, s.rate)) * s.along;
+        const Vec3 f =
+            (pull + spring.friction.at(s.rate) + force_of(spring.law, s.length, s.rate, t)) * s.along;
         push(bodies, forces, spring.body_i, s.end_i_local, f);
         push(bodies, forces, spring.body_j, spring.P_j_local, -f);
     }
@@ -175,7 +225,7 @@ void add_springs(const Loads& loads, Bodies bodies, Forces forces) {
         const Twist twist = twist_of(spring, bodies);
         const double torque = -spring.stiffness * twist.angle - spring.damping * twist.rate -
                               spring.friction.at(twist.rate) -
-                              force_of(spring.law, twist.angle + spring.free_angle, twist.rate);
+                              force_of(spring.law, twist.angle + spring.free_angle, twist.rate, t);
         const Vec3 n_local = torque * spring.angle.s_i_local;
         const auto& i = bodies[at(spring.body_i)];
         const auto& j = bodies[at(spring.body_j)];
@@ -205,16 +255,24 @@ std::vector<BodyKinematics<OmegaLocal>> kinematics_of(const State& state, const 
 
 SpringSpan span_of(const Spring& spring, Bodies bodies) { return between_points(spring, bodies); }
 
-double size_of(const Spring& spring, Bodies bodies) {
-    const Stretch s = stretch_of(spring, bodies);
-    return spring.stiffness * (span_of(spring, bodies).d.norm() + std::abs(spring.free_length)) +
-           (spring.law ? spring.law->size_at(std::array{s.length, s.rate}) : 0.0);
+double value_of(const LoadLaw& law, Bodies bodies, double t) {
+    return law.formula.at(variables_of(law, bodies, t));
 }
 
-double size_of(const RotationalSpring& spring) {
+double size_of(const LoadLaw& law, Bodies bodies, double t) {
+    return law.formula.size_at(variables_of(law, bodies, t));
+}
+
+double size_of(const Spring& spring, Bodies bodies, double t) {
+    const Stretch s = stretch_of(spring, bodies);
+    return spring.stiffness * (span_of(spring, bodies).d.norm() + std::abs(spring.free_length)) +
+           (spring.law ? spring.law->size_at(std::array{s.length, s.rate, t}) : 0.0);
+}
+
+double size_of(const RotationalSpring& spring, double t) {
     const double angle = spring.twist_before + spring.free_angle;
     return spring.stiffness * (1.0 + std::abs(spring.twist_before) + std::abs(spring.free_angle)) +
-           (spring.law ? spring.law->size_at(std::array{angle, 0.0}) : 0.0);
+           (spring.law ? spring.law->size_at(std::array{angle, 0.0, t}) : 0.0);
 }
 
 double size_of(const Bushing& bushing, Bodies bodies, double length) {
@@ -223,24 +281,51 @@ double size_of(const Bushing& bushing, Bodies bodies, double length) {
            bushing.rotational_stiffness.maxCoeff() * (1.0 + y.phi.norm()) / length;
 }
 
-bool linearise_laws(Loads& loads, Bodies bodies) {
+std::string law_without_slope(const Loads& loads, Bodies bodies, double t) {
+    // a run ends a millionth of its steps before such a point
+    constexpr double beside = 1e-4;
+    std::string out;
+    for_each_formula(loads, bodies, t, [&](const ScalarFormula& law, std::span<const double> now, int) {
+        for (std::size_t k = 0; k < now.size(); ++k) {
+            if (!law.along(now, k).is_smooth_at(now[k], beside)) { out = law.source; }
+        }
+    });
+    return out;
+}
+
+bool linearise_laws(Loads& loads, Bodies bodies, double t) {
     int kinks = 0;
-    const auto linearise = [&](std::optional<ScalarFormula>& law, double x) {
-        if (!law) { return; }
-        if (!law->is_smooth_at(x)) { ++kinks; }
-        using Kind = FormulaStep::Kind;
-        constexpr double index_of_rate = 1.0;
-        const auto [value, by_x, by_rate] = law->slopes_at(x);
-        law->steps = {{Kind::number, value}, {Kind::number, by_x},    {Kind::variable, 0.0},
-                      {Kind::number, x},     {Kind::difference, 0.0}, {Kind::product, 0.0},
-                      {Kind::sum, 0.0},      {Kind::number, by_rate}, {Kind::variable, index_of_rate},
-                      {Kind::product, 0.0},  {Kind::sum, 0.0}};
-    };
-    for (Spring& spring : loads.springs) { linearise(spring.law, stretch_of(spring, bodies).length); }
-    for (RotationalSpring& spring : loads.rotational_springs) {
-        linearise(spring.law, twist_of(spring, bodies).angle + spring.free_angle);
-    }
+    for_each_formula(
+        loads, bodies, t, [&](ScalarFormula& law, std::span<const double> now, int index_of_time) {
+            using Kind = FormulaStep::Kind;
+            std::vector<FormulaStep> steps{{Kind::number, law.at(now)}};
+            for (std::size_t k = 0; k < now.size(); ++k) {
+                const auto index = static_cast<int>(k);
+                if (index == index_of_time || !law.uses(index)) { continue; }
+                const ScalarFormula along = law.along(now, k);
+                if (!along.is_smooth_at(now[k])) { ++kinks; }
+                steps.insert(
+                    steps.end(), {{Kind::number, along.slope_at(now[k])},
+                                  {Kind::variable, static_cast<double>(k)},
+                                  {Kind::number, now[k]},
+                                  {Kind::difference, 0.0},
+                                  {Kind::product, 0.0},
+                                  {Kind::sum, 0.0}});
+            }
+            law.steps = std::move(steps);
+        });
     return kinks == 0;
+}
+
+std::vector<ScalarFormula> laws_in_time(const Loads& loads, Bodies bodies) {
+    std::vector<ScalarFormula> out;
+    constexpr double any_time = 0.0;
+    for_each_formula(
+        loads, bodies, any_time,
+        [&](const ScalarFormula& law, std::span<const double> now, int index_of_time) {
+            if (law.uses(index_of_time)) { out.push_back(law.along(now, at(index_of_time))); }
+        });
+    return out;
 }
 
 void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {
@@ -248,7 +333,7 @@ void add_forces(const Loads& loads, Bodies bodies, double t, Forces forces) {
         if (loads.masses[b]) { forces[b].f += loads.masses[b]->mass * loads.gravity; }
     }
     add_applied(loads, bodies, t, forces);
-    add_springs(loads, bodies, forces);
+    add_springs(loads, bodies, t, forces);
     for (const Bushing& bushing : loads.bushings) { add_bushing(bushing, bodies, forces); }
 }
 
@@ -256,21 +341,20 @@ void begin_turns(Loads& loads, Bodies bodies) {
     constexpr double half_turn = std::numbers::pi;
     // rounding of π typed in degrees, and of a joint that starts half a turn away
     constexpr double rounding = 1e-9;
-    for (RotationalSpring& spring : loads.rotational_springs) {
+    for_each_angle(loads, [&](RotationalSpring& spring) {
         spring.twist_before = 0.0;
-        if (std::abs(spring.free_angle) <= half_turn + rounding) { continue; }
+        if (std::abs(spring.free_angle) <= half_turn + rounding) { return; }
         const double angle = measured<Content::motion>(
                                  spring.angle, bodies[at(spring.body_i)], bodies[at(spring.body_j)], Theta{})
                                  .value(0);
         const double start = angle <= -half_turn + rounding ? angle + 2.0 * half_turn : angle;
         spring.twist_before = start - spring.free_angle;
-    }
+    });
 }
 
 void count_turns(Loads& loads, Bodies bodies) {
-    for (RotationalSpring& spring : loads.rotational_springs) {
-        spring.twist_before = twist_of(spring, bodies).angle;
-    }
+    for_each_angle(
+        loads, [&](RotationalSpring& spring) { spring.twist_before = twist_of(spring, bodies).angle; });
 }
 
 double potential_energy(const Loads& loads, Bodies bodies) {
@@ -281,13 +365,13 @@ double potential_energy(const Loads& loads, Bodies bodies) {
     for (const Spring& spring : loads.springs) {
         const double length = stretch_of(spring, bodies).length;
         const double stretch = length - spring.free_length;
-        energy += 0.5 * spring.stiffness * stretch * stretch +
-                  (spring.law ? spring.law->integral(spring.free_length, length) : 0.0);
+        energy +=
+            0.5 * spring.stiffness * stretch * stretch + energy_of_law(spring, spring.free_length, length);
     }
     for (const RotationalSpring& spring : loads.rotational_springs) {
         const double angle = twist_of(spring, bodies).angle;
         energy += 0.5 * spring.stiffness * angle * angle +
-                  (spring.law ? spring.law->integral(spring.free_angle, spring.free_angle + angle) : 0.0);
+                  energy_of_law(spring, spring.free_angle, spring.free_angle + angle);
     }
     for (const Bushing& bushing : loads.bushings) {
         const Yielding y = yielding_of(bushing, bodies);

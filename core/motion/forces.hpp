@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/jets/coordinates.hpp"
@@ -27,16 +28,30 @@ struct SpringSpan {
 };
 SpringSpan span_of(const Spring& spring, std::span<const BodyKinematics<OmegaLocal>> bodies);
 
-/// Size of the terms whose difference is the force of a spring [N], or its torque [N m]: rounding of the
-/// force is relative to it. Turns of the rotational spring are counted up to this state.
-double size_of(const Spring& spring, std::span<const BodyKinematics<OmegaLocal>> bodies);
-double size_of(const RotationalSpring& spring);
+/// What a law adds to the magnitude of its load at time `t` [s]: [N] or [N m].
+double value_of(const LoadLaw& law, std::span<const BodyKinematics<OmegaLocal>> bodies, double t);
+
+/// Size of the terms whose difference is the force of a spring [N], or its torque [N m], or the value of a
+/// law: rounding of the force is relative to it. Turns of the rotational spring are counted up to this state.
+double size_of(const Spring& spring, std::span<const BodyKinematics<OmegaLocal>> bodies, double t);
+double size_of(const RotationalSpring& spring, double t);
+double size_of(const LoadLaw& law, std::span<const BodyKinematics<OmegaLocal>> bodies, double t);
 /// Size of the terms of a bushing's force and torque, with torques divided by a length [N].
 double size_of(const Bushing& bushing, std::span<const BodyKinematics<OmegaLocal>> bodies, double length);
 
-/// Replaces the laws of springs by their first-order expansions about rest at these poses.
+/// Replaces the laws of all loads by their first-order expansions about these poses and time `t` [s]. The
+/// time stands still.
+/// @param bodies  at rest
 /// @return false if a law has no slope there, or a kink so near that rounding hides on which side it is
-bool linearise_laws(Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
+bool linearise_laws(Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies, double t);
+
+/// Source of a law without a value or a slope near a state and a time `t` [s]; empty if there is none.
+std::string law_without_slope(
+    const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies, double t);
+
+/// Laws that depend on the time, as functions of the time alone: of bodies that stay at these poses.
+std::vector<ScalarFormula> laws_in_time(
+    const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
 
 /// Adds gravity, forces, torques, springs and dampers at time `t` [s]. Allocates nothing.
 /// @param loads centroidal, see Centroidal
@@ -75,8 +90,8 @@ struct Energy {
 /// Energies at a state and a motion of the centroidal frames.
 Energy energy_of(const Centroidal& scene, const State& state, const Motion& motion);
 
-/// Potential energy of gravity and of all springs [J]; applied forces and torques have none. The energy of
-/// a law is its work at rest, from the free length or angle on.
+/// Potential energy of gravity and of all springs [J]; applied forces and torques have none, nor have laws
+/// that depend on the time. The energy of another law is its work at rest, from the free length or angle on.
 double potential_energy(const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies);
 
 }  // namespace jw

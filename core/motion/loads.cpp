@@ -1,5 +1,6 @@
 #include "core/motion/loads.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <Eigen/Cholesky>
@@ -91,14 +92,13 @@ Centroidal centroidal(const Mechanism& mechanism, const Loads& loads) {
         move(driver.measure, centre(driver.body_i), centre(driver.body_j));
     }
     for (AppliedForce& force : out.loads.forces) { force.point_local -= centre(force.body); }
-    for (Spring& spring : out.loads.springs) {
-        spring.P_i_local -= centre(spring.body_i);
-        spring.P_j_local -= centre(spring.body_j);
-    }
-    for (Bushing& bushing : out.loads.bushings) {
-        bushing.P_i_local -= centre(bushing.body_i);
-        bushing.P_j_local -= centre(bushing.body_j);
-    }
+    const auto shift = [&](auto& ends) {
+        ends.P_i_local -= centre(ends.body_i);
+        ends.P_j_local -= centre(ends.body_j);
+    };
+    std::ranges::for_each(out.loads.springs, shift);
+    for_each_measuring<Spring>(out.loads, shift);
+    std::ranges::for_each(out.loads.bushings, shift);
     // start estimates too: r + A c and its velocity
     const State start = start_state(mechanism);
     begin_turns(out.loads, kinematics_of(start));

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "core/model/mechanism.hpp"
@@ -19,24 +21,6 @@ struct MassProperties {
 
 /// Frame of a direction: the global one, or that of the body.
 enum class Frame { global, local };
-
-/// A force on a body: direction times magnitude(t), at a point fixed in the body.
-struct AppliedForce {
-    int body = 0;
-    Vec3 point_local = Vec3::Zero();  ///< [m]
-    Vec3 direction = Vec3::UnitX();   ///< any length, which multiplies the magnitude
-    Frame frame = Frame::global;      ///< frame of the direction; local: it turns with the body
-    TimeFunction magnitude;           ///< [N]
-};
-
-/// A torque on a body: direction times magnitude(t).
-struct AppliedTorque {
-    int body = 0;
-    Vec3 direction = Vec3::UnitZ();
-    Frame frame = Frame::global;
-    TimeFunction magnitude;  ///< [N m]
-    int against = -1;        ///< body that the opposite torque acts on; -1: none
-};
 
 /// Dry friction, made smooth: `size` v / √(v² + speed²) against a rate v. It is 0.71 `size` at `speed` and
 /// 0.995 `size` at ten times `speed`. It is zero at rest: a load P below `size` causes the rate
@@ -63,7 +47,7 @@ struct Spring {
     double damping = 0.0;                          ///< c [N s/m]
     std::optional<Vec3> s_i_local = std::nullopt;  ///< unit axis fixed in body i
     DryFriction friction = {};                     ///< against ℓ̇
-    std::optional<ScalarFormula> law = {};         ///< added force [N], a function of ℓ [m] and ℓ̇ [m/s]
+    std::optional<ScalarFormula> law = {};  ///< added force [N], a function of ℓ [m], ℓ̇ [m/s] and t [s]
 };
 
 /// Spring and damper about a joint's axis: torque -k (θ - θ0) - c θ̇ - friction - law from body i on body j.
@@ -76,12 +60,54 @@ struct RotationalSpring {
     double damping = 0.0;       ///< c [N m s/rad]
     DryFriction friction = {};  ///< against θ̇
     std::optional<ScalarFormula> law =
-        {};  ///< torque against θ [N m], a function of θ with its turns [rad] and θ̇ [rad/s]
-    bool depends_on_angle() const { return stiffness != 0.0 || law; }
+        {};  ///< torque against θ [N m], a function of θ with its turns [rad], θ̇ [rad/s] and t [s]
+    bool depends_on_angle() const { return stiffness != 0.0 || law || is_read; }
 
     /// θ - θ0 at the last state of the motion [rad]. Poses determine it up to whole turns only; the turns are
     /// counted from here. `centroidal` starts the count at the start pose.
     double twist_before = 0.0;
+    bool is_read = false;  ///< it has no constants: the law of a load reads its angle
+};
+
+/// Law of a force or a torque: a formula of the time, of angles and of lengths anywhere in the mechanism,
+/// such as that of a motor with a controller.
+struct LoadLaw {
+    /// An angle or a length. A spring without constants measures it; an angle includes its turns, and starts
+    /// within half a turn.
+    struct Quantity {
+        std::string name;  ///< "hinge.angle"
+        std::variant<RotationalSpring, Spring> measured;
+    };
+    static constexpr std::size_t kMostQuantities = (ScalarFormula::kMostVariables - 1) / 2;
+
+    /// Its variables: t [s], then the value of each quantity [rad or m] and its rate
+    ScalarFormula formula;
+    std::vector<Quantity> quantities;
+
+    static constexpr int index_of_time = 0;
+    static constexpr int index_of(std::size_t quantity, int derivative) {
+        return 1 + 2 * static_cast<int>(quantity) + derivative;
+    }
+};
+
+/// A force on a body: direction times magnitude, at a point fixed in the body.
+struct AppliedForce {
+    int body = 0;
+    Vec3 point_local = Vec3::Zero();  ///< [m]
+    Vec3 direction = Vec3::UnitX();   ///< any length, which multiplies the magnitude
+    Frame frame = Frame::global;      ///< frame of the direction; local: it turns with the body
+    TimeFunction magnitude;           ///< [N]
+    std::optional<LoadLaw> law = {};  ///< added to the magnitude [N]
+};
+
+/// A torque on a body: direction times magnitude.
+struct AppliedTorque {
+    int body = 0;
+    Vec3 direction = Vec3::UnitZ();
+    Frame frame = Frame::global;
+    TimeFunction magnitude;           ///< [N m]
+    int against = -1;                 ///< body that the opposite torque acts on; -1: none
+    std::optional<LoadLaw> law = {};  ///< added to the magnitude [N m]
 };
 
 /// A rubber block between two bodies: springs and dampers along and about its three axes, which turn with
@@ -105,6 +131,12 @@ struct Bushing {
     bool operator==(const Bushing&) const = default;
 };
 
+/// True if a spring's law depends on the time: then it has no potential energy.
+inline bool depends_on_time(const auto& spring) {
+    constexpr int index_of_time = 2;
+    return spring.law && spring.law->uses(index_of_time);
+}
+
 /// True if the spring acts about the axis of the joint, between its bodies, with the same zero angle.
 bool acts_about(const RotationalSpring& spring, const Joint& joint);
 /// True if the spring acts along the axis of the joint, between its bodies, with the same zero displacement.
@@ -120,6 +152,34 @@ struct Loads {
     std::vector<RotationalSpring> rotational_springs;
     std::vector<Bushing> bushings;
 };
+
+/// Calls `f` with the law of every force and torque that has one.
+template <class L, class F>
+void for_each_law(L& loads, F&& f) {
+    for (auto& force : loads.forces) {
+        if (force.law) { f(*force.law); }
+    }
+    for (auto& torque : loads.torques) {
+        if (torque.law) { f(*torque.law); }
+    }
+}
+
+/// Calls `f` with every spring of type S that measures a quantity of a law.
+template <class S, class L, class F>
+void for_each_measuring(L& loads, F&& f) {
+    for_each_law(loads, [&](auto& law) {
+        for (auto& quantity : law.quantities) {
+            if (auto* spring = std::get_if<S>(&quantity.measured)) { f(*spring); }
+        }
+    });
+}
+
+/// Calls `f` with every rotational spring, those that measure an angle included.
+template <class L, class F>
+void for_each_angle(L& loads, F&& f) {
+    for (auto& spring : loads.rotational_springs) { f(spring); }
+    for_each_measuring<RotationalSpring>(loads, f);
+}
 
 /// The loads without dry friction.
 Loads without_friction(Loads loads);

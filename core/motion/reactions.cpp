@@ -30,13 +30,20 @@ struct Needed {
     double sizes = 0.0;  ///< at least that of each load by itself
 };
 
-/// Sizes of weights and springs, each by itself.
+/// Sizes of weights, springs and laws, each by itself.
 double sizes_by_themselves(const Situation& s, std::span<const BodyKinematics<OmegaLocal>> bodies) {
     const Loads& loads = s.scene->loads;
     double sum = 0.0;
     for (const auto& mass : loads.masses) { sum += mass ? mass->mass * loads.gravity.norm() : 0.0; }
-    for (const Spring& spring : loads.springs) { sum += size_of(spring, bodies); }
-    for (const RotationalSpring& spring : loads.rotational_springs) { sum += size_of(spring) / s.length; }
+    for (const Spring& spring : loads.springs) { sum += size_of(spring, bodies, s.t); }
+    for (const RotationalSpring& spring : loads.rotational_springs) {
+        sum += size_of(spring, s.t) / s.length;
+    }
+    const auto add_law = [&](const auto& load, double length) {
+        if (load.law) { sum += load.direction.norm() * size_of(*load.law, bodies, s.t) / length; }
+    };
+    for (const AppliedForce& force : loads.forces) { add_law(force, 1.0); }
+    for (const AppliedTorque& torque : loads.torques) { add_law(torque, s.length); }
     for (const Bushing& bushing : loads.bushings) { sum += size_of(bushing, bodies, s.length); }
     return sum;
 }

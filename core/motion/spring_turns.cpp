@@ -8,10 +8,16 @@
 
 namespace jw {
 
+bool depends_on_turns(const Loads& loads) {
+    bool any = false;
+    for_each_angle(loads, [&](const RotationalSpring& spring) { any = any || spring.depends_on_angle(); });
+    return any;
+}
+
 SpringTurns::SpringTurns(
     std::shared_ptr<const Centroidal> scene, const State& begin, const std::vector<int>& turns)
     : scene_(std::move(scene)) {
-    if (!scene_ || scene_->loads.rotational_springs.empty()) { return; }
+    if (!scene_ || !depends_on_turns(scene_->loads)) { return; }
     auto twisted = std::make_shared<Centroidal>(*scene_);
     // angles do not depend on where the frames of the bodies lie
     const auto bodies = kinematics_of(begin);
@@ -20,7 +26,7 @@ SpringTurns::SpringTurns(
     scene_ = twisted;
     const std::vector<Joint>& joints = scene_->mechanism.joints;
     const std::vector<int> thetas = scene_->mechanism.theta_indices();
-    for (const RotationalSpring& spring : scene_->loads.rotational_springs) {
+    for_each_angle(scene_->loads, [&](const RotationalSpring& spring) {
         const auto joint =
             std::ranges::find_if(joints, [&](const Joint& j) { return acts_about(spring, j); });
         Turning turning{static_cast<std::size_t>(joint - joints.begin())};
@@ -29,7 +35,7 @@ SpringTurns::SpringTurns(
             turning.begin = angle_of(turning, begin, turns);
         }
         turning_.push_back(turning);
-    }
+    });
 }
 
 double SpringTurns::angle_of(
@@ -42,12 +48,13 @@ double SpringTurns::angle_of(
 std::shared_ptr<const Centroidal> SpringTurns::at(const State& state, const std::vector<int>& turns) const {
     if (turning_.empty()) { return scene_; }
     auto out = std::make_shared<Centroidal>(*scene_);
-    for (std::size_t k = 0; k < turning_.size(); ++k) {
-        RotationalSpring& spring = out->loads.rotational_springs[k];
-        if (turning_[k].joint < scene_->mechanism.joints.size()) {
-            spring.twist_before += angle_of(turning_[k], state, turns) - turning_[k].begin;
+    auto turning = turning_.begin();
+    for_each_angle(out->loads, [&](RotationalSpring& spring) {
+        if (turning->joint < scene_->mechanism.joints.size()) {
+            spring.twist_before += angle_of(*turning, state, turns) - turning->begin;
         }
-    }
+        ++turning;
+    });
     return out;
 }
 

@@ -7,6 +7,9 @@
 
 namespace jw {
 
+/// True if a load depends on whole turns of an angle: they are counted along a motion.
+bool depends_on_turns(const Loads& loads);
+
 /// Twists of rotational springs along a motion in which the turns of joints are counted (FollowedAngles): two
 /// of its poses may lie several turns of a spring apart.
 class SpringTurns {
@@ -28,7 +31,7 @@ private:
     double angle_of(const Turning& turning, const State& state, const std::vector<int>& turns) const;
 
     std::shared_ptr<const Centroidal> scene_;  ///< its springs are twisted as at the beginning
-    std::vector<Turning> turning_;             ///< one per rotational spring
+    std::vector<Turning> turning_;             ///< one per angle of for_each_angle
 };
 
 }  // namespace jw

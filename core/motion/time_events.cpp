@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+
+#include "core/motion/forces.hpp"
 
 namespace jw {
 
@@ -20,6 +23,17 @@ void for_each_function(const Centroidal& scene, F&& f) {
     for (const AppliedTorque& torque : scene.loads.torques) { f(torque.magnitude); }
 }
 
+/// True if the fourth derivative of a formula is bounded in every part of the time: then its swings can be
+/// found.
+bool has_bounded_swings(const TimeFormula& formula, double end) {
+    constexpr int parts = 100;
+    for (int k = 0; k < parts; ++k) {
+        const double bound = formula.taylor_bounds(end * k / parts, end * (k + 1) / parts)[4];
+        if (!std::isfinite(bound)) { return false; }
+    }
+    return true;
+}
+
 }  // namespace
 
 std::vector<TimeEvent> events_until(double end, const Centroidal& scene) {
@@ -29,6 +43,12 @@ std::vector<TimeEvent> events_until(double end, const Centroidal& scene) {
         function.append_kinks(jumps);
         if (function.formula) { function.formula->append_swings(0.0, end, swings); }
     });
+    // laws change also with the motion, which steps follow by their error; what swings by itself does so at
+    // the start pose, too
+    for (ScalarFormula& law : laws_in_time(scene.loads, kinematics_of(start_state(scene.mechanism)))) {
+        const TimeFormula formula{std::move(law)};
+        if (has_bounded_swings(formula, end)) { formula.append_swings(0.0, end, swings); }
+    }
     std::vector<TimeEvent> events;
     const auto add = [&](double t, bool is_jump) {
         if (t > 0.0 && t < end) { events.push_back({t, is_jump}); }

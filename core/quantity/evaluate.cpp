@@ -44,6 +44,11 @@ Energy energy_rate_of(
     Loads conservative = scene.loads;
     conservative.forces.clear();
     conservative.torques.clear();
+    const auto leave_out = [](auto& spring) {
+        if (depends_on_time(spring)) { spring.law.reset(); }
+    };
+    std::ranges::for_each(conservative.springs, leave_out);
+    std::ranges::for_each(conservative.rotational_springs, leave_out);
     // these bodies are at rest, so dampers have no force, and laws give their force at rest
     const auto bodies = kinematics_of(state);
     std::vector<BodyForce> forces(bodies.size());

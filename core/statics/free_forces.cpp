@@ -1,6 +1,7 @@
 #include "core/statics/free_forces.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -102,8 +103,18 @@ void FreeForces::measure_loads() {
         sizes_[at(spring.body_i)] += size;
         sizes_[at(spring.body_j)] += size;
     };
-    for (const Spring& spring : all.springs) { add_to_both(spring, length_ * size_of(spring, bodies)); }
-    for (const RotationalSpring& spring : all.rotational_springs) { add_to_both(spring, size_of(spring)); }
+    for (const Spring& spring : all.springs) { add_to_both(spring, length_ * size_of(spring, bodies, t_)); }
+    for (const RotationalSpring& spring : all.rotational_springs) {
+        add_to_both(spring, size_of(spring, t_));
+    }
+    const auto size_of_law = [&](const auto& load) {
+        return load.law ? load.direction.norm() * size_of(*load.law, bodies, t_) : 0.0;
+    };
+    for (const AppliedForce& force : all.forces) { sizes_[at(force.body)] += length_ * size_of_law(force); }
+    for (const AppliedTorque& torque : all.torques) {
+        sizes_[at(torque.body)] += size_of_law(torque);
+        if (torque.against >= 0) { sizes_[at(torque.against)] += size_of_law(torque); }
+    }
     for (const Bushing& bushing : all.bushings) {
         add_to_both(bushing, length_ * size_of(bushing, bodies, length_));
     }
@@ -181,6 +192,8 @@ void FreeForces::count_turns() { jw::count_turns(loads_, kinematics_of(state_));
 
 double FreeForces::residual() const {
     const VectorX left = mass_times(free_ * push_);
+    // a law without a value
+    if (!left.allFinite()) { return std::numeric_limits<double>::infinity(); }
     const double all = std::accumulate(sizes_.begin(), sizes_.end(), 0.0);
     double largest = 0.0;
     for (const int body : system_->moving_bodies()) {
@@ -236,7 +249,7 @@ double FreeForces::step_along(const VectorX& columns) const {
 template <class F>
 MatrixX FreeForces::with_linear_laws(F&& f) {
     const Loads laws = loads_;
-    has_smooth_laws_ = linearise_laws(loads_, kinematics_of(state_));
+    has_smooth_laws_ = linearise_laws(loads_, kinematics_of(state_), t_);
     MatrixX out = f();
     loads_ = laws;
     return out;
@@ -244,8 +257,14 @@ MatrixX FreeForces::with_linear_laws(F&& f) {
 
 bool FreeForces::has_laws_of_rates() const {
     const auto has_rate = [](const auto& spring) { return spring.law && spring.law->uses(1); };
-    return std::ranges::any_of(loads_.springs, has_rate) ||
-           std::ranges::any_of(loads_.rotational_springs, has_rate);
+    bool any = std::ranges::any_of(loads_.springs, has_rate) ||
+               std::ranges::any_of(loads_.rotational_springs, has_rate);
+    for_each_law(loads_, [&](const LoadLaw& law) {
+        for (std::size_t k = 0; k < law.quantities.size(); ++k) {
+            any = any || law.formula.uses(LoadLaw::index_of(k, 1));
+        }
+    });
+    return any;
 }
 
 MatrixX FreeForces::stiffness() {

@@ -44,7 +44,7 @@ public:
     MatrixX stiffness();
     /// C = -Nᵀ ∂Q/∂q̇ N [1/s].
     MatrixX damping();
-    /// False if the law of a spring has a kink at the pose: then K and C are those of one side.
+    /// False if the law of a load has a kink at the pose: then K and C are those of one side.
     bool has_smooth_laws() const { return has_smooth_laws_; }
     /// True if a law depends on a rate: unlike a damper, it can feed a motion.
     bool has_laws_of_rates() const;

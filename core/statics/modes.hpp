@@ -28,7 +28,7 @@ struct SmallMotions {
     Stability stability = Stability::cannot_tell;
     /// The pose has more freedoms than those beside it; then there are no modes.
     bool is_singular = false;
-    /// The law of a spring has a kink at the pose; then there are no modes either.
+    /// The law of a load has a kink at the pose; then there are no modes either.
     bool at_kink = false;
     bool is_conservative = true;  ///< K is symmetric up to rounding: the loads have a potential here
     bool is_damped = false;

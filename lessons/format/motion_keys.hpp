@@ -148,10 +148,15 @@ inline constexpr std::array kForce = joined(
     load("force", "instead: its direction, beside a function of time in N", "N"),
     std::array{
         Key{"at", KeyKind::vector, "point, global at the start pose", "m"},
-        Key{"point", KeyKind::vector, "point in the frame of the body", "m"}});
+        Key{"point", KeyKind::vector, "point in the frame of the body", "m"},
+        Key{"law", KeyKind::formula,
+            "formula in N that is added, of t and of quantities such as \\text{hinge.angle}"}});
 inline constexpr std::array kTorque = joined(
     load("torque", "instead: its direction, beside a function of time in N m", "N m"),
-    std::array{Key{"against", KeyKind::text, "body that the opposite torque acts on"}});
+    std::array{
+        Key{"against", KeyKind::text, "body that the opposite torque acts on"},
+        Key{"law", KeyKind::formula,
+            "formula in N m that is added, of t and of quantities such as \\text{hinge.angle}"}});
 
 inline constexpr std::array kSpring{
     counted("bodies", KeyKind::texts, "names of two bodies", 2, 2),
@@ -164,7 +169,7 @@ inline constexpr std::array kSpring{
     Key{"damping", KeyKind::not_negative, "c", "N s/m"},
     Key{"friction", KeyKind::not_negative, "dry friction against the motion", "N"},
     Key{"friction_speed", KeyKind::positive, "rate up to which the friction grows", "m/s"},
-    Key{"law", KeyKind::formula, "formula in N that is added, of d in m and \\dot{d} in m/s"},
+    Key{"law", KeyKind::formula, "formula in N that is added, of d in m, \\dot{d} in m/s and t"},
     Key{"free_length", KeyKind::not_negative, "length without force; default that at the start", "m"},
     Key{"free_displacement", KeyKind::number, "of a joint, likewise", "m"}};
 
@@ -177,7 +182,7 @@ inline constexpr std::array kRotationalSpring{
         {"friction_speed", KeyKind::positive, "rate up to which the friction grows"},
         Spelling::angular_velocity),
     Key{"law", KeyKind::formula,
-        "formula in N m that is added, of \\theta in rad and \\dot{\\theta} in rad/s"},
+        "formula in N m that is added, of \\theta in rad, \\dot{\\theta} in rad/s and t"},
     spelled(
         {"free_angle", KeyKind::number, "angle without torque; default that at the start"}, Spelling::angle)};
 

@@ -274,9 +274,13 @@ private:
     }
 
     V quantity(const Node& node, const std::string& name) const {
-        const std::optional<V> value = meanings_->words ? meanings_->words(name) : std::nullopt;
-        if (!value) { fail(node, "'" + name + "' is not a quantity here", "docs/quantities.md lists them"); }
-        return *value;
+        return at(node, [&] {
+            const std::optional<V> value = meanings_->words ? meanings_->words(name) : std::nullopt;
+            if (!value) {
+                fail(node, "'" + name + "' is not a quantity here", "docs/quantities.md lists them");
+            }
+            return *value;
+        });
     }
 
     V sign_value(const Node& node, const math::Sign& sign) const {

@@ -359,7 +359,9 @@ std::span<const Variable> time_only() {
     return variables;
 }
 
-ScalarFormula scalar_formula(const std::string& source, std::span<const Variable> variables) {
+ScalarFormula scalar_formula(
+    const std::string& source, std::span<const Variable> variables,
+    const std::function<std::optional<int>(const std::string& name)>& quantities) {
     const math::Reading reading = math::read_math(source);
     if (reading.problem) { throw NotEvaluated(*reading.problem); }
     const auto meaning = [&](const Symbol& symbol) -> std::optional<of_numbers::Term> {
@@ -367,7 +369,11 @@ ScalarFormula scalar_formula(const std::string& source, std::span<const Variable
         if (found == variables.end()) { return std::nullopt; }
         return of_numbers::variable(found->index, found->rate);
     };
-    return {source, Evaluator<of_numbers::Term>({meaning, {}}).expression(reading.row).steps};
+    const auto quantity = [&](const std::string& name) -> std::optional<of_numbers::Term> {
+        const auto index = quantities ? quantities(name) : std::nullopt;
+        return index ? std::optional(of_numbers::variable(*index, -1)) : std::nullopt;
+    };
+    return {source, Evaluator<of_numbers::Term>({meaning, quantity}).expression(reading.row).steps};
 }
 
 }  // namespace jw::formula

@@ -17,13 +17,14 @@ constexpr std::size_t kMostLoads = 1000;
 constexpr double kShortestSpring = 1e-9;
 
 /// Direction times magnitude of a force or torque: either the key `what`, a vector that is constant or
-/// multiplied by a function of time; or the key `direction`, which is normalised, and a function.
+/// multiplied by a function of time and a law; or the key `direction`, which is normalised, and one of these.
 struct Vector {
     Vec3 direction = Vec3::UnitX();
     Frame frame = Frame::global;
     TimeFunction magnitude{.polynomial = {1.0}};
+    std::optional<LoadLaw> law;
 };
-Vector read_vector(Fields& fields, const char* what, const char* unit, double duration) {
+Vector read_vector(Fields& fields, const Reading& reading, const char* what, const char* unit) {
     Vector out;
     out.frame = fields.word("frame", kFrames).value_or(out.frame);
     const auto whole = fields.vector(what);
@@ -35,11 +36,16 @@ Vector read_vector(Fields& fields, const char* what, const char* unit, double du
     }
     if (whole) { out.direction = whole->value; }
     if (direction) { out.direction = unit_of(direction->value); }
-    if ((fields.has("direction") && !fields.has(what)) || has_time_function(fields, false)) {
+    if (fields.has("law")) {
+        out.law = read_load_law(fields, reading);
+        out.magnitude = {};
+    }
+    const bool is_constant = fields.has(what) || fields.has("law") || !fields.has("direction");
+    if (!is_constant || has_time_function(fields, false)) {
         const int errors = fields.problems().errors_count();
         out.magnitude = read_time_function(fields, false);
         if (fields.problems().errors_count() == errors) {
-            check_values(fields, out.magnitude, 0.0, duration, false);
+            check_values(fields, out.magnitude, 0.0, reading.lesson.dynamics->duration, false);
         }
     }
     return out;
@@ -48,13 +54,14 @@ Vector read_vector(Fields& fields, const char* what, const char* unit, double du
 void read_force(Fields& fields, Reading& reading) {
     DynamicsPlan& plan = *reading.lesson.dynamics;
     const auto place = read_point_of_body(fields, reading);
-    const Vector vector = read_vector(fields, "force", "N", plan.duration);
+    const Vector vector = read_vector(fields, reading, "force", "N");
     fields.finish();
     if (!place) { return; }
     const auto& mass = plan.loads.masses[static_cast<std::size_t>(place->body)];
     const Vec3 centre = mass ? mass->centre_local : Vec3::Zero();
     plan.loads.forces.push_back(
-        {place->body, place->point_local.value_or(centre), vector.direction, vector.frame, vector.magnitude});
+        {place->body, place->point_local.value_or(centre), vector.direction, vector.frame, vector.magnitude,
+         vector.law});
 }
 
 void read_torque(Fields& fields, Reading& reading) {
@@ -62,7 +69,7 @@ void read_torque(Fields& fields, Reading& reading) {
     const auto name = fields.text("body");
     fields.require("body", "the name of a body that moves");
     const Named* named = name ? reading.body(*name) : nullptr;
-    const Vector vector = read_vector(fields, "torque", "N m", plan.duration);
+    const Vector vector = read_vector(fields, reading, "torque", "N m");
     const auto other = fields.text("against");
     const Named* against = other ? reading.body(*other) : nullptr;
     fields.finish();
@@ -80,7 +87,7 @@ void read_torque(Fields& fields, Reading& reading) {
     }
     plan.loads.torques.push_back(
         {named->index, vector.direction, vector.frame, vector.magnitude,
-         against != nullptr ? against->index : -1});
+         against != nullptr ? against->index : -1, vector.law});
 }
 
 /// Key `friction_speed`, the rate up to which friction grows; for an angle, the key ends with its unit.
@@ -93,12 +100,12 @@ std::optional<double> read_friction_speed(Fields& fields, bool angle) {
 /// Key `law`. @param letter  of the length, displacement or angle
 std::optional<ScalarFormula> read_law(Fields& fields, const char* letter) {
     const formula::Symbol symbol{letter, 0, {}, {}};
-    const std::array variables{formula::Variable{symbol, 0, 1}};
+    const std::array variables{formula::Variable{symbol, 0, 1}, formula::Variable{{"t", 0, {}, {}}, 2}};
     const bool angle = symbol.letter != "d";
     return read_scalar_formula(
         fields, "law", variables,
-        angle ? "numbers, \\theta in rad and \\dot{\\theta}, such as 2 \\theta^3 + 0.1 \\dot{\\theta}"
-              : "numbers, d in m and \\dot{d}, such as 50 d + 200 d^3");
+        angle ? "numbers, \\theta in rad, \\dot{\\theta} and t, such as 2 \\theta^3 + 0.1 \\dot{\\theta}"
+              : "numbers, d in m, \\dot{d} and t, such as 50 d + 200 d^3");
 }
 
 /// Keys `stiffness`, `damping`, `friction` and `law`, at least one of them.
@@ -130,7 +137,7 @@ void read_constants(Fields& fields, S& spring) {
 /// Reports a law without a value at the start. @param value  length, displacement or angle there
 void check_law(Fields& fields, const std::optional<ScalarFormula>& law, double value) {
     // the rate at the start may differ from 0
-    if (!law || law->uses(1) || std::isfinite(law->at(std::array{value, 0.0}))) { return; }
+    if (!law || law->uses(1) || std::isfinite(law->at(std::array{value, 0.0, 0.0}))) { return; }
     fields.problems().add(
         Code::formula_without_value, fields.span("law"),
         "the law has no value at the start, where its variable is " + short_number(value) +

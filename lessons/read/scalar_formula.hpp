@@ -5,6 +5,7 @@
 
 #include "lessons/fields/fields.hpp"
 #include "lessons/formula/steps_of_formula.hpp"
+#include "lessons/read/reading.hpp"
 
 namespace jw::reading {
 
@@ -21,5 +22,9 @@ std::optional<ScalarFormula> read_formula(
 std::optional<ScalarFormula> read_scalar_formula(
     Fields& fields, const std::string& key, std::span<const formula::Variable> variables,
     const char* made_of);
+
+/// Key `law` of a force or a torque, a formula of the time and of quantities; reports one that cannot be
+/// read.
+std::optional<LoadLaw> read_load_law(Fields& fields, const Reading& reading);
 
 }  // namespace jw::reading

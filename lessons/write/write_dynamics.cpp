@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "core/model/placement.hpp"
+#include "core/quantity/names.hpp"
 #include "lessons/fields/member_keys.hpp"
 #include "lessons/format/motion_keys.hpp"
 #include "lessons/lesson/enum_words.hpp"
@@ -34,19 +35,36 @@ void write_plan(const Written& written, const DynamicsPlan& plan, Lines& lines) 
     if (plan.point_at_end) { lines.key("point_at_end", *plan.point_at_end, "m"); }
 }
 
+/// True if the law of a load reads a quantity of a joint or driver that is left out: then so is the load.
+bool reads_left_out(const Written& written, const std::optional<LoadLaw>& law) {
+    if (!law) { return false; }
+    const auto is_left_out = [&](const auto& things, Addition::Kind kind, std::string_view name) {
+        const auto found =
+            std::ranges::find_if(things, [&](const auto& thing) { return thing.name == name; });
+        return found != things.end() && !written.has({kind, static_cast<int>(found - things.begin())});
+    };
+    const Mechanism& mechanism = written.lesson->mechanism;
+    return std::ranges::any_of(law->quantities, [&](const LoadLaw::Quantity& quantity) {
+        const std::string_view owner = owner_in(quantity.name);
+        return is_left_out(mechanism.joints, Addition::Kind::joint, owner) ||
+               is_left_out(mechanism.drivers, Addition::Kind::driver, owner);
+    });
+}
+
 /// Keys of a direction times a magnitude, `what` being "force" or "torque".
-void write_vector(
-    const std::string& what, const std::string& unit, const Vec3& direction, Frame frame,
-    const TimeFunction& magnitude, Lines& lines) {
-    if (frame != Frame::global) { lines.key("frame", string_text(word_of(kFrames, frame))); }
-    const bool constant = magnitude == TimeFunction{.polynomial = {1.0}};
+void write_vector(const std::string& what, const std::string& unit, const auto& load, Lines& lines) {
+    if (load.frame != Frame::global) { lines.key("frame", string_text(word_of(kFrames, load.frame))); }
+    const Vec3& direction = load.direction;
+    const TimeFunction& magnitude = load.magnitude;
+    const bool constant = !load.law && magnitude == TimeFunction{.polynomial = {1.0}};
     const bool unit_length = std::abs(direction.squaredNorm() - 1.0) <= kUnitUpToRounding;
     if (!constant && unit_length) {
         lines.key("direction", typed_direction(direction));
     } else {
         lines.key(what, direction, constant ? unit : unit + ", times the function of time");
     }
-    if (!constant) { write_time_function(magnitude, false, lines); }
+    if (!constant && magnitude != TimeFunction{}) { write_time_function(magnitude, false, lines); }
+    if (load.law) { lines.key("law", string_text(load.law->formula.source)); }
 }
 
 /// Keys of a spring, or of a rotational spring, that do not say where it is.
@@ -142,16 +160,18 @@ void write_dynamics(const Written& written, Lines& lines) {
     lines.section("dynamics: points [m] in the frames of their bodies");
     write_plan(written, plan, lines);
     for (const AppliedForce& force : plan.loads.forces) {
+        if (reads_left_out(written, force.law)) { continue; }
         lines.table("[[force]]");
         lines.key("body", string_text(written.body(force.body)));
         lines.key("point", force.point_local);
-        write_vector("force", "N", force.direction, force.frame, force.magnitude, lines);
+        write_vector("force", "N", force, lines);
     }
     for (const AppliedTorque& torque : plan.loads.torques) {
+        if (reads_left_out(written, torque.law)) { continue; }
         lines.table("[[torque]]");
         lines.key("body", string_text(written.body(torque.body)));
         if (torque.against >= 0) { lines.key("against", string_text(written.body(torque.against))); }
-        write_vector("torque", "N m", torque.direction, torque.frame, torque.magnitude, lines);
+        write_vector("torque", "N m", torque, lines);
     }
     for (const Spring& spring : plan.loads.springs) { write_spring(written, spring, lines); }
     for (const RotationalSpring& spring : plan.loads.rotational_springs) {

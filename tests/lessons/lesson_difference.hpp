@@ -160,12 +160,18 @@ public:
     void compare(const std::string& name, const AppliedForce& a, const AppliedForce& b) {
         using F = AppliedForce;
         all(name, a, b, &F::body, "body", &F::point_local, "point_local", &F::direction, "direction",
-            &F::frame, "frame", &F::magnitude, "magnitude");
+            &F::frame, "frame", &F::magnitude, "magnitude", &F::law, "law");
+    }
+    void compare(const std::string& name, const LoadLaw& a, const LoadLaw& b) {
+        all(name, a, b, &LoadLaw::formula, "formula", &LoadLaw::quantities, "quantities");
+    }
+    void compare(const std::string& name, const LoadLaw::Quantity& a, const LoadLaw::Quantity& b) {
+        all(name, a, b, &LoadLaw::Quantity::name, "name", &LoadLaw::Quantity::measured, "measured");
     }
     void compare(const std::string& name, const AppliedTorque& a, const AppliedTorque& b) {
         using T = AppliedTorque;
         all(name, a, b, &T::body, "body", &T::direction, "direction", &T::frame, "frame", &T::magnitude,
-            "magnitude", &T::against, "against");
+            "magnitude", &T::against, "against", &T::law, "law");
     }
     void compare(const std::string& name, const Spring& a, const Spring& b) {
         all(name, a, b, &Spring::body_i, "body_i", &Spring::body_j, "body_j", &Spring::P_i_local, "P_i",

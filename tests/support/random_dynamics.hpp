@@ -59,6 +59,29 @@ inline Loads random_conservative_loads(Random& random, const Mechanism& mechanis
     return loads;
 }
 
+/// t + Σ sin x of what some springs measure: a distance, a displacement, an angle, and their rates.
+inline LoadLaw law_of_all(const Loads& loads) {
+    using Kind = FormulaStep::Kind;
+    LoadLaw law{{"t", {{Kind::variable, LoadLaw::index_of_time}}}, {}};
+    for (const Spring& s : {loads.springs.front(), loads.springs.back()}) {
+        law.quantities.push_back({"length", Spring{s.body_i, s.body_j, s.P_i_local, s.P_j_local}});
+        std::get<Spring>(law.quantities.back().measured).s_i_local = s.s_i_local;
+    }
+    for (const RotationalSpring& s : loads.rotational_springs) {
+        RotationalSpring angle{s.body_i, s.body_j, s.angle};
+        angle.is_read = true;
+        law.quantities.push_back({"angle", angle});
+    }
+    for (std::size_t k = 0; k < law.quantities.size(); ++k) {
+        for (const int derivative : {0, 1}) {
+            const auto index = static_cast<double>(LoadLaw::index_of(k, derivative));
+            law.formula.steps.insert(
+                law.formula.steps.end(), {{Kind::variable, index}, {Kind::sine}, {Kind::sum}});
+        }
+    }
+    return law;
+}
+
 /// All kinds: dampers, forces and torques in both frames, growing and swinging in time.
 inline Loads random_loads(Random& random, const Mechanism& mechanism) {
     Loads loads = random_conservative_loads(random, mechanism);
@@ -77,6 +100,7 @@ inline Loads random_loads(Random& random, const Mechanism& mechanism) {
             loads.torques.push_back({b, random.direction(), frame, random_function(random), b - 1});
         }
     }
+    if (!loads.springs.empty()) { loads.forces.back().law = loads.torques.back().law = law_of_all(loads); }
     return loads;
 }
 

@@ -8,6 +8,7 @@
 #include "app/session/wording/numbers.hpp"
 #include "core/elementary/elementary.hpp"
 #include "core/motion/motion_equations.hpp"
+#include "core/motion/spring_turns.hpp"
 #include "core/motion/time_events.hpp"
 
 namespace jw {
@@ -151,8 +152,7 @@ ReferenceWay by_extrapolation(
     const Lesson& lesson, const std::vector<double>& times, const std::stop_token& stop) {
     constexpr double tolerance = 1e-13;
     ReferenceWay way{"block equations of the bodies, extrapolated midpoint rule at 1e-13", {}, {}};
-    const auto turns = [](const RotationalSpring& spring) { return spring.depends_on_angle(); };
-    if (std::ranges::any_of(lesson.dynamics->loads.rotational_springs, turns)) {
+    if (depends_on_turns(lesson.dynamics->loads)) {
         way.failure = "it does not count the turns of springs";
         return way;
     }

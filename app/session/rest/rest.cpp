@@ -199,7 +199,7 @@ std::string stability_text(const RestOutcome& outcome) {
     }
     if (motions.at_kink) {
         return tr(
-            "It is not known whether it is stable: the slope of a spring's law cannot be proved here, as at "
+            "It is not known whether it is stable: the slope of a load's law cannot be proved here, as at "
             "a kink.");
     }
     switch (motions.stability) {

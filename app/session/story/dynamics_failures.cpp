@@ -112,6 +112,13 @@ std::string not_proven_text(const SimulationFailure& failure, const SimulationSe
 }
 
 std::string step_too_small_text(const SimulationFailure& failure, const SimulationSettings& settings) {
+    if (!failure.law.empty()) {
+        return tr(
+            "no step is small enough for the tolerance: the law '{0}' has no value or no slope there; "
+            "expected "
+            "a law that has both wherever the mechanism moves; {1}",
+            failure.law, look_at(failure.t));
+    }
     if (entry_of(settings.method).kind == MethodKind::radau) {
         return tr(
             "no step is small enough for the tolerance; the position may be singular (a change point, a link "
@@ -120,7 +127,7 @@ std::string step_too_small_text(const SimulationFailure& failure, const Simulati
     }
     return tr(
         "no step is small enough for the tolerance; accelerations become unbounded there (forces too large "
-        "for the masses, a law of a spring without a value, a singular position); {0}",
+        "for the masses, a singular position); {0}",
         look_at(failure.t));
 }
 

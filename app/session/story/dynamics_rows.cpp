@@ -3,6 +3,7 @@
 #include "app/session/story/dynamics_run.hpp"
 #include "app/session/story/story.hpp"
 #include "app/session/story/taking_part.hpp"
+#include "core/motion/spring_turns.hpp"
 #include "core/numerics/linear.hpp"
 
 namespace jw {
@@ -101,7 +102,7 @@ std::vector<double> DynamicsRows::row(const Snapshot& now, const std::vector<dou
     if (further) {
         system_->choose_rows(now.state);
         // only the run knows the counted turns of springs
-        if (!scene_->loads.rotational_springs.empty()) {
+        if (depends_on_turns(scene_->loads)) {
             scene_ = std::make_shared<const Centroidal>(simulation_->scene());
         }
     }

@@ -5,6 +5,7 @@
 #include "app/session/story/dynamics_run.hpp"
 #include "app/session/story/motion_telling.hpp"
 #include "app/session/story/taking_part.hpp"
+#include "core/motion/spring_turns.hpp"
 
 namespace jw {
 
@@ -37,7 +38,7 @@ public:
           settings_(settings_of(from.lesson)),
           simulation_(assembled_, from.lesson.dynamics->loads, settings_),
           centroidal_(std::make_shared<const Centroidal>(simulation_.scene())),
-          counts_turns_(!centroidal_->loads.rotational_springs.empty()),
+          counts_turns_(depends_on_turns(centroidal_->loads)),
           system_(*from.system),
           shared_(from.system) {
         const int intervals = options.intervals > 0 ? options.intervals : plan.steps;

@@ -227,16 +227,19 @@ private:
         joint.geometry = geometry;
         measure_anew(index);
         if (!lesson_.dynamics) { return; }
-        for (Spring& spring : lesson_.dynamics->loads.springs) {
-            if (!acts_along(spring, before)) { continue; }
+        Loads& loads = lesson_.dynamics->loads;
+        const auto take_displacement = [&](Spring& spring) {
+            if (!acts_along(spring, before)) { return; }
             const DisplacementMeasure displacement = displacement_of(joint);
             spring.s_i_local = displacement.s_i_local;
             spring.P_i_local = displacement.B_i_local;
             spring.P_j_local = displacement.B_j_local;
-        }
-        for (RotationalSpring& spring : lesson_.dynamics->loads.rotational_springs) {
+        };
+        std::ranges::for_each(loads.springs, take_displacement);
+        for_each_measuring<Spring>(loads, take_displacement);
+        for_each_angle(loads, [&](RotationalSpring& spring) {
             if (acts_about(spring, before)) { spring.angle = angle_of(joint); }
-        }
+        });
     }
 
     /// Updates the measures of the drivers along a joint to its new geometry.

@@ -60,14 +60,16 @@ void add_function(
 template <class Load>
 void add_vector(const Load& load, const std::string& name, const std::string& unit, FactList& facts) {
     facts.text(Weight::pose, name + " · frame", word_of(kFrames, load.frame));
+    if (load.law) { facts.text(Weight::pose, name + " · law", load.law->formula.source); }
     const TimeFunction& magnitude = load.magnitude;
-    if (magnitude.harmonics.empty() && magnitude.steps.empty() && !magnitude.table && !magnitude.formula &&
-        magnitude.polynomial.size() == 1) {
+    if (!load.law && magnitude.harmonics.empty() && magnitude.steps.empty() && !magnitude.table &&
+        !magnitude.formula && magnitude.polynomial.size() == 1) {
         facts.given(Weight::pose, name, magnitude.polynomial.front() * load.direction, unit);
         return;
     }
-    const double length = load.direction.norm();
-    facts.given(Weight::pose, name + " · direction", load.direction.normalized(), "");
+    // a law is told as it is written, so is its factor
+    const double length = load.law ? 1.0 : load.direction.norm();
+    facts.given(Weight::pose, name + " · direction", load.direction / length, "");
     add_function(magnitude, length, name, unit, facts);
 }
 

@@ -57,7 +57,8 @@ TreeEquations::TreeEquations(const Centroidal& scene, const std::vector<double>&
         }
     };
     std::ranges::for_each(scene.loads.springs, mark_both);
-    std::ranges::for_each(scene.loads.rotational_springs, mark_both);
+    for_each_angle(scene.loads, mark_both);
+    for_each_measuring<Spring>(scene.loads, mark_both);
     std::ranges::for_each(scene.loads.bushings, mark_both);
     std::ranges::for_each(links_, mark_both);
     std::ranges::copy_if(moving_, std::back_inserter(looked_at_), [&](int b) { return pose_counts[at(b)]; });

@@ -113,13 +113,13 @@ bool add_loads(const Loads& loads, const State& state, PeerScene& scene) {
         return f.polynomial.size() <= 1 && f.harmonics.empty() && f.steps.empty() && !f.table;
     };
     for (const AppliedForce& f : loads.forces) {
-        if (f.frame != Frame::global || !constant(f.magnitude) || !f.point_local.isZero(0.0)) {
+        if (f.law || f.frame != Frame::global || !constant(f.magnitude) || !f.point_local.isZero(0.0)) {
             return false;
         }
         scene.wrenches.push_back({f.body, f.magnitude.at(0.0).f * f.direction, Vec3::Zero()});
     }
     for (const AppliedTorque& t : loads.torques) {
-        if (t.frame != Frame::global || !constant(t.magnitude) || t.against >= 0) { return false; }
+        if (t.law || t.frame != Frame::global || !constant(t.magnitude) || t.against >= 0) { return false; }
         scene.wrenches.push_back({t.body, Vec3::Zero(), t.magnitude.at(0.0).f * t.direction});
     }
     for (const Spring& s : loads.springs) {

@@ -194,15 +194,15 @@ TEST_CASE("A law of a spring has its integral, its size and its slope", "[core][
     scene.spring.stiffness = 10.0;
     // a square is off by twice what its operand is off by
     CHECK(
-        size_of(scene.spring, scene.bodies) ==
+        size_of(scene.spring, scene.bodies, 0.0) ==
         Approx(10.0 * (2.0 + 0.5) + 2.0 * 5.0 * 4.0 + 7.0 + 3.0 * 0.5));
     scene.turned.stiffness = 10.0;
     scene.turned.twist_before = -0.2;
-    CHECK(size_of(scene.turned) == Approx(10.0 * (1.0 + 0.2 + 0.3) + 2.0 * 5.0 * 0.01 + 7.0));
+    CHECK(size_of(scene.turned, 0.0) == Approx(10.0 * (1.0 + 0.2 + 0.3) + 2.0 * 5.0 * 0.01 + 7.0));
 
     scene.turned.twist_before = 0.1;
     Loads loads = scene.loads();
-    CHECK(linearise_laws(loads, scene.bodies));
+    CHECK(linearise_laws(loads, scene.bodies, 0.0));
     const auto straight = [](double x0, double x, double rate) {
         return 5.0 * x0 * x0 - 7.0 + 10.0 * x0 * (x - x0) + 3.0 * rate;
     };
@@ -213,7 +213,7 @@ TEST_CASE("A law of a spring has its integral, its size and its slope", "[core][
         {FormulaStep::Kind::number, 2.0},
         {FormulaStep::Kind::difference},
         {FormulaStep::Kind::absolute}};
-    CHECK_FALSE(linearise_laws(loads, scene.bodies));
+    CHECK_FALSE(linearise_laws(loads, scene.bodies, 0.0));
 }
 
 TEST_CASE("A spring without length between its ends does not pull", "[core][dynamics][forces]") {
