@@ -208,7 +208,7 @@ constexpr std::array kLibraries{
     LibraryRule{"Eigen/Dense", "tests/.*"},
     LibraryRule{"fmt/", "app/session/wording/messages\\.[ch]pp"},
     LibraryRule{"pybind11/", "app/python/.*"},
-    LibraryRule{"emscripten/", "app/web/.*"},
+    LibraryRule{"emscripten/", "app/web/.*|tests/bench/peers/race\\.cpp"},
     LibraryRule{"lapacke.h", "tests/support/lapack_svd\\.hpp"},
 };
 

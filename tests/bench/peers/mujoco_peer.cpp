@@ -1,96 +1,17 @@
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
 #include <mujoco/mujoco.h>
 
+#include "tests/bench/peers/mjcf.hpp"
 #include "tests/bench/peers/sweep.hpp"
 
 /// MuJoCo: internal coordinates over a tree, fixed steps, loops by soft constraints.
 namespace jw::peers {
 namespace {
-
-std::string text(const Vec3& v) {
-    char out[100];
-    std::snprintf(out, sizeof out, "\"%.17g %.17g %.17g\"", v.x(), v.y(), v.z());
-    return out;
-}
-std::string name_of(int body) { return body == 0 ? "world" : "b" + std::to_string(body); }
-
-void write_joint(std::ostream& out, const PeerScene& scene, const PeerJoint& joint) {
-    const std::string pos = " pos=" + text(from_centre(scene, joint.child, joint.point));
-    const std::string along = pos + " axis=" + text(joint.axis_parent) + "/>";
-    switch (joint.kind) {
-        case Kind::revolute: out << "<joint type='hinge'" << along; break;
-        case Kind::prismatic: out << "<joint type='slide'" << along; break;
-        case Kind::cylindrical:
-            out << "<joint type='slide'" << along << "<joint type='hinge'" << along;
-            break;
-        case Kind::universal:
-            out << "<joint type='hinge'" << along << "<joint type='hinge'" << pos
-                << " axis=" << text(joint.axis_child) << "/>";
-            break;
-        case Kind::spherical: out << "<joint type='ball'" << pos << "/>"; break;
-        case Kind::fixed: break;
-        case Kind::free: out << "<freejoint/>"; break;
-    }
-}
-
-void write_sites(std::ostream& out, const PeerScene& scene, int body) {
-    for (std::size_t k = 0; k < scene.springs.size(); ++k) {
-        const PeerSpring& s = scene.springs[k];
-        if (s.body_i == body) { out << "<site name='i" << k << "' pos=" << text(s.P_i) << "/>"; }
-        if (s.body_j == body) { out << "<site name='j" << k << "' pos=" << text(s.P_j) << "/>"; }
-    }
-}
-
-void write_children(std::ostream& out, const PeerScene& scene, int parent) {
-    for (const PeerJoint& joint : scene.tree) {
-        if (joint.parent != parent) { continue; }
-        const PeerBody& body = scene.bodies[static_cast<std::size_t>(joint.child)];
-        const Mat3& J = body.J;
-        out << "<body name='" << name_of(joint.child) << "' pos=" << text(from_centre(scene, parent, body.r))
-            << "><inertial pos='0 0 0' mass='" << body.mass << "' fullinertia='" << J(0, 0) << ' ' << J(1, 1)
-            << ' ' << J(2, 2) << ' ' << J(0, 1) << ' ' << J(0, 2) << ' ' << J(1, 2) << "'/>";
-        write_joint(out, scene, joint);
-        write_sites(out, scene, joint.child);
-        write_children(out, scene, joint.child);
-        out << "</body>\n";
-    }
-}
-
-void write_connect(std::ostream& out, const PeerScene& scene, const PeerJoint& joint, const Vec3& point) {
-    out << "<connect body1='" << name_of(joint.parent) << "' body2='" << name_of(joint.child)
-        << "' anchor=" << text(from_centre(scene, joint.parent, point)) << "/>\n";
-}
-
-std::string mjcf(const PeerScene& scene) {
-    std::ostringstream out;
-    out.precision(17);
-    out << "<mujoco><compiler angle='radian'/><option gravity=" << text(scene.gravity)
-        << " tolerance='1e-14' iterations='100'><flag contact='disable'/></option>\n<size njmax='"
-        << 50 + 6 * scene.loops.size() << "' nconmax='0'/>\n<worldbody>";
-    write_sites(out, scene, 0);
-    write_children(out, scene, 0);
-    out << "</worldbody>\n<equality>";
-    for (const PeerLoop& loop : scene.loops) {
-        write_connect(out, scene, loop.joint, loop.joint.point);
-        // two points hold an axis
-        if (!loop.point_is_enough) {
-            write_connect(out, scene, loop.joint, loop.joint.point + loop.joint.axis_parent);
-        }
-    }
-    out << "</equality>\n<tendon>";
-    for (std::size_t k = 0; k < scene.springs.size(); ++k) {
-        const PeerSpring& s = scene.springs[k];
-        out << "<spatial stiffness='" << s.stiffness << "' damping='" << s.damping << "' springlength='"
-            << s.free_length << "'><site site='i" << k << "'/><site site='j" << k << "'/></spatial>\n";
-    }
-    out << "</tendon></mujoco>\n";
-    return out.str();
-}
 
 struct Delete {
     void operator()(mjModel* model) const { mj_deleteModel(model); }
@@ -113,37 +34,11 @@ ModelPointer compiled(const std::string& xml) {
 
 int id_of(const mjModel& model, int body) { return mj_name2id(&model, mjOBJ_BODY, name_of(body).c_str()); }
 
-/// Rates of a body's joints from the velocities of the two bodies.
-void set_velocity(const PeerScene& scene, const PeerJoint& joint, const mjModel& model, mjtNum* qvel) {
-    const PeerBody& child = scene.bodies[static_cast<std::size_t>(joint.child)];
-    const PeerBody& parent = scene.bodies[static_cast<std::size_t>(joint.parent)];
-    const Vec3 omega = child.omega - parent.omega;
-    const Vec3 v =
-        velocity_at(scene, joint.child, joint.point) - velocity_at(scene, joint.parent, joint.point);
-    mjtNum* u = qvel + model.body_dofadr[id_of(model, joint.child)];
-    switch (joint.kind) {
-        case Kind::revolute: u[0] = joint.axis_parent.dot(omega); break;
-        case Kind::prismatic: u[0] = joint.axis_parent.dot(v); break;
-        case Kind::cylindrical:
-            u[0] = joint.axis_parent.dot(v);
-            u[1] = joint.axis_parent.dot(omega);
-            break;
-        case Kind::universal:
-            u[0] = joint.axis_parent.dot(omega);
-            u[1] = joint.axis_child.dot(omega);
-            break;
-        case Kind::spherical: std::copy(omega.data(), omega.data() + 3, u); break;
-        case Kind::fixed: break;
-        case Kind::free:
-            std::copy(child.v.data(), child.v.data() + 3, u);
-            std::copy(child.omega.data(), child.omega.data() + 3, u + 3);
-            break;
-    }
-}
-
 DataPointer started(const PeerScene& scene, const mjModel& model) {
     DataPointer data(mj_makeData(&model));
-    for (const PeerJoint& joint : scene.tree) { set_velocity(scene, joint, model, data->qvel); }
+    for (const PeerJoint& joint : scene.tree) {
+        std::ranges::copy(rates_of(scene, joint), data->qvel + model.body_dofadr[id_of(model, joint.child)]);
+    }
     for (const PeerWrench& w : scene.wrenches) {
         mjtNum* applied = data->xfrc_applied + 6 * id_of(model, w.body);
         for (int k = 0; k < 3; ++k) {
