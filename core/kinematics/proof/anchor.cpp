@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/kinematics/proof/inverse.hpp"
+#include "core/kinematics/proof/norm_bound.hpp"
 #include "core/kinematics/proof/proved_part.hpp"
 
 /// Anchors of a proof: inverse Jacobians and bounds of derivatives around a pose.
@@ -203,7 +204,7 @@ void ProvedPart::measure(Anchor& anchor) const {
         for (Eigen::Index c = 0; c < anchor.passed_on.cols(); ++c) {
             const Eigen::Index k = unknowns + c;
             anchor.passed_on(u, c) =
-                norm_of(passed_on_.block(first_column_[at(u)], first_column_[at(k)], size(u), size(k)));
+                norm_bound(passed_on_.block(first_column_[at(u)], first_column_[at(k)], size(u), size(k)));
         }
     }
     anchor.inverse = anchor.inverse.cwiseSqrt();
