@@ -27,6 +27,7 @@ void Sampler::take(TimeStepper& stepper) {
     }
     Node& node = nodes_[known_++];
     fitted_ = false;
+    checked_ = nullptr;
     node.t = stepper.t();
     y_.resize(stepper.y().size());
     flat_.resize(at(kNumbersPerBody * equations_->bodies()));
@@ -71,6 +72,7 @@ void Sampler::begin_anew() {
     std::swap(nodes_.front(), nodes_[known_ - 1]);
     known_ = 1;
     fitted_ = false;
+    checked_ = nullptr;
 }
 
 void Sampler::finish() {
@@ -105,6 +107,7 @@ const Sampler::Node& Sampler::node_before(double t) const {
 }
 
 bool Sampler::find_between(double t) {
+    if (!is_smooth(t) && step_to(t)) { return true; }
     interpolate(t);
     return meets(t, y_) || correct(t) || meets_as_well_as_nodes(t, y_);
 }
@@ -119,14 +122,42 @@ bool Sampler::correct(double t) {
         y_ = moved_;
         return true;
     }
+    return step_to(t);
+}
+
+/// Finds the state by a separate step from the end of the previous one.
+bool Sampler::step_to(double t) {
     const Node& before = node_before(t);
     std::vector<double> start(y_.size());
     read(before, start);
+    moved_.resize(y_.size());
     if (!stepper_->reach(before.t, start, t, moved_.data()) || !meets_as_well_as_nodes(t, moved_)) {
         return false;
     }
     y_ = moved_;
     return true;
+}
+
+/// True if the polynomial between the two ends around `t` agrees halfway with one through three ends, to ten
+/// tolerances: its own error is far smaller.
+bool Sampler::is_smooth(double t) {
+    constexpr double agrees = 10.0;
+    constexpr std::size_t ends = 3;
+    const StateScales* scales = stepper_->scales();
+    if (scales == nullptr || !std::isfinite(tolerance_) || known_ < ends) { return true; }
+    const Node& before = node_before(t);
+    if (checked_ == &before) { return smooth_; }
+    checked_ = &before;
+    const auto k = static_cast<std::size_t>(&before - nodes_.data());
+    check_.fit(
+        std::span(nodes_).subspan(k + ends <= known_ ? k : k - 1, ends), Meets::second_derivatives_too);
+    const double halfway = before.t + 0.5 * (nodes_[k + 1].t - before.t);
+    check_.evaluate(halfway);
+    moved_.resize(y_.size());
+    equations_->state_of(check_.value().data(), check_.rate().data(), moved_.data());
+    interpolate(halfway);
+    smooth_ = scales->difference(moved_.data(), y_.data()) <= agrees * std::max(tolerance_, kLeastRateOff);
+    return smooth_;
 }
 
 bool Sampler::meets(double t, const std::vector<double>& y) const {

@@ -17,8 +17,10 @@ namespace jw {
 /// Samples of a trajectory. They are taken from polynomials of degree 11 through four ends of steps, where
 /// positions and their first two derivatives are known, so that no evaluation is needed; the error, (step)¹²,
 /// is below that of the methods. Where steps differ much in length, the polynomial goes through
-/// only the two adjacent ends if the farther ones would distort it. Methods with a polynomial of their own
-/// (implicit ones, whose accelerations are less exact than their positions) provide it instead.
+/// only the two adjacent ends if the farther ones would distort it. If a polynomial through three ends
+/// differs by more than the tolerance, as where a force changes within a step, samples are integrated from
+/// the end of the previous step instead. Methods with a polynomial of their own (implicit ones, whose
+/// accelerations are less exact than their positions) provide it instead.
 ///
 /// A polynomial does not satisfy the constraints. Every state is checked: a state that misses them by more
 /// than the tolerance is projected onto them or, if that is not a small change, integrated from the end of
@@ -58,7 +60,9 @@ private:
     void give_by_method(double t_end);
     /// Finds y_ at `t`, between the ends of steps. @return false if there is no state of this motion
     bool find_between(double t);
+    bool is_smooth(double t);
     bool correct(double t);
+    bool step_to(double t);
     void interpolate(double t);
     HermitePolynomial& polynomial_at(double t);
     HermitePolynomial& polynomial_between(const Node* ends);
@@ -82,6 +86,9 @@ private:
     HermitePolynomial near_;         ///< polynomial through two nodes
     bool fitted_ = false;            ///< whether `wide_` is fitted to the current nodes
     bool even_ = true;               ///< whether no step between nodes is much longer than another
+    HermitePolynomial check_;        ///< polynomial through three nodes
+    const Node* checked_ = nullptr;  ///< first of the two nodes between which it was compared
+    bool smooth_ = true;             ///< whether it agreed
     const Node* between_ = nullptr;  ///< first of the two nodes for which a polynomial has been chosen
     HermitePolynomial* chosen_ = nullptr;
     std::vector<double> y_;  ///< state in the numbers of the equations

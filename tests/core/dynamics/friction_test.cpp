@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -243,6 +244,33 @@ TEST_CASE(
     CHECK(friction.at(0.01) == Approx(3.0 / std::sqrt(2.0)));
     CHECK(without_friction(sled(0.0, friction, 1.0).loads).springs[0].friction == DryFriction{});
     CHECK(without_friction(wheel(0.0, friction, 1.0).loads).rotational_springs[0].friction == DryFriction{});
+}
+
+TEST_CASE(
+    "Between steps, samples are as exact as at their ends where friction changes fast", "[core][dynamics]") {
+    Scene scene = wheel(3.0, {1.4, 0.01}, 0.0);
+    scene.loads.rotational_springs[0].stiffness = 8.4;
+    std::vector<double> times;
+    for (int k = 0; k <= 200; ++k) { times.push_back(0.01 * k); }
+    const auto samples = [&](double tolerance) {
+        SimulationSettings settings;
+        settings.tolerance = tolerance;
+        Simulation simulation(scene.mechanism, scene.loads, settings);
+        std::vector<Vec4> out;
+        const SimulationOutcome outcome = simulation.run(times, [&](double t, const std::vector<double>& y) {
+            out.push_back(simulation.snapshot(t, y).state.p[1]);
+        });
+        REQUIRE_FALSE(outcome.failure);
+        return out;
+    };
+    const std::vector<Vec4> exact = samples(1e-11);
+    const std::vector<Vec4> coarse = samples(1e-6);
+    REQUIRE(coarse.size() == times.size());
+    double most = 0.0;
+    for (std::size_t k = 0; k < coarse.size(); ++k) {
+        most = std::max(most, std::min((coarse[k] - exact[k]).norm(), (coarse[k] + exact[k]).norm()));
+    }
+    CHECK(most < 1e-5);
 }
 
 }  // namespace jw
