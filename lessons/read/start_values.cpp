@@ -165,6 +165,10 @@ void take_start_values(Reading& reading) {
     for (const StartValue& given : reading.start_values) {
         values.push_back({given.joint, measure_of(given, reading.joint_at(given.joint)), given.value});
     }
+    for (const int d : idle) {
+        const Driver& driver = lesson.mechanism.drivers[at(d)];
+        if (driver.joint >= 0) { values.push_back({driver.joint, driver.measure, std::nullopt}); }
+    }
     if (const auto missed = move_to_values(lesson.mechanism, present, values, t, state)) {
         report_missed(reading, present, *missed);
     } else {

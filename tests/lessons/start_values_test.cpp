@@ -224,3 +224,22 @@ TEST_CASE("A written lesson starts where the lesson with start values does", "[l
         CHECK(again.mechanism.bodies[b].p == lesson.mechanism.bodies[b].p);
     }
 }
+
+TEST_CASE("A joint goes the longer way round if branches meet on the shorter one", "[lessons][start]") {
+    // crank and ground together are as long as coupler and rocker: flat at 180 degrees
+    const FourBar flat{0.3, 0.5, 0.8, 1.0};
+    const Lesson lesson = lesson_of(four_bar_text(flat, 150.0 * kDegree, angle_key(-150.0)));
+    CHECK(off_closed_form(lesson, flat, -150.0 * kDegree) < kClosed);
+}
+
+TEST_CASE("A driver that begins with the start holds what no start value moves", "[lessons][start]") {
+    const std::string arm = "format = 1\ntitle = \"arm\"\n" + body_text("upper", 0.0, 0.0, 0.0) +
+                            body_text("lower", 1.0, 0.0, 0.0) +
+                            hinge_text("A", "ground", "upper", 0.0, 0.0, angle_key(30.0)) +
+                            hinge_text("B", "upper", "lower", 1.0, 0.0, "") +
+                            "[[driver]]\nname = \"motor\"\njoint = \"B\"\nquantity = \"angle\"\n"
+                            "from_start = true\npolynomial_deg = [0, 90]\n[motion]\nto_s = 1\n";
+    const State state = start_state(lesson_of(arm).mechanism);
+    const Vec3 along(std::cos(30.0 * kDegree), std::sin(30.0 * kDegree), 0.0);
+    CHECK((rotation_matrix(state.p[2]).col(0) - along).norm() < kClosed);
+}

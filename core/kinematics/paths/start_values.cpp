@@ -64,7 +64,8 @@ public:
     }
     /// What is missing to a given value, of an angle by the shorter way.
     double left(std::size_t k, const State& state) const {
-        return -driver_residual(values_[k].measure, value_at(k, state), values_[k].value);
+        const std::optional<double>& value = values_[k].value;
+        return value ? -driver_residual(values_[k].measure, value_at(k, state), *value) : 0.0;
     }
     bool is_met(std::size_t k, const State& state, double tolerance) const {
         return std::abs(left(k, state)) <= tolerance * unit_of(values_[k].measure, length_);
@@ -78,7 +79,9 @@ public:
 
     /// Moves `state` from the start to the values that are driven. @return why the shorter ways end early
     std::optional<MissedValue> drive(State& state) {
-        if (driven_.empty()) { return std::nullopt; }
+        if (std::ranges::none_of(driven_, [&](std::size_t k) { return values_[k].value.has_value(); })) {
+            return std::nullopt;
+        }
         const auto angles = std::ranges::count_if(driven_, [&](std::size_t k) { return has_two_ways(k); });
         const int ways = angles <= kMostAngles ? 1 << angles : 1;
         std::optional<MissedValue> missed;
@@ -86,11 +89,14 @@ public:
             set_ramps(way);
             System system(still_, selection_);
             MotionTracker tracker(system, start_, 0.0);
-            if (tracker.advance_to(1.0)) {
+            const bool arrives = tracker.advance_to(1.0);
+            if (arrives && tracker.crossings().empty()) {
                 state = tracker.frame().state;
                 return std::nullopt;
             }
-            if (!missed) { missed = missed_at(tracker.frame().state, tracker.failure()); }
+            if (missed) { continue; }
+            missed = arrives ? missed_at_crossing(tracker.crossings().front())
+                             : missed_at(tracker.frame().state, tracker.failure());
         }
         return missed;
     }
@@ -120,6 +126,14 @@ private:
         Assembler<OmegaLocal> assembler(system);
         assembler.assemble_phi_and_jacobian(start_, 0.0);
         return analyse_rank_verdict(system, assembler.sparse_jacobian(), assembler.phi());
+    }
+
+    /// The first driven value at the time of the ramps at which branches meet.
+    MissedValue missed_at_crossing(double t) const {
+        PositionFailure failure;
+        failure.cause = FailureCause::undecided;
+        const Driver& first = still_.drivers[still_.drivers.size() - driven_.size()];
+        return {driven_.front(), first.function.at(t).f, false, failure};
     }
 
     /// The driven value of which most is missing.

@@ -12,8 +12,10 @@ namespace jw {
 /// Value of a coordinate of a joint.
 struct GivenValue {
     int joint = 0;
-    Measure measure;     ///< θ, the angle or the displacement of the joint
-    double value = 0.0;  ///< [rad] or [m]; an angle counts up to whole turns, θ with them
+    Measure measure;  ///< θ, the angle or the displacement of the joint
+    /// [rad] or [m]; an angle counts up to whole turns, θ with them. Absent: the value is kept, unless the
+    /// others change it.
+    std::optional<double> value;
 };
 
 /// A given value that a joint does not take.
@@ -30,8 +32,9 @@ struct MissedValue {
 /// Moves an assembled pose to the pose of the same branch in which joints have given values: while all
 /// drivers stand still, those values that are independent of the ones before them are driven from where they
 /// are to where they shall be, all in the same time, by MotionTracker; an angle the shorter way round, or if
-/// that way ends, the other. So the branch is kept by proof if drivers and values leave no freedom; what they
-/// leave free moves as little as it can. A value that depends on others is compared with four digits.
+/// that way ends or crosses other branches, the other. So the branch is kept by proof if drivers and values
+/// leave no freedom; what they leave free moves as little as it can. A value that depends on others is
+/// compared with four digits.
 /// @param state satisfies the constraints of `present` at time `t` [s]; it stays if a value is missed
 std::optional<MissedValue> move_to_values(
     const Mechanism& mechanism, const Selection& present, std::span<const GivenValue> values, double t,
