@@ -133,6 +133,8 @@ public:
     const WindowLayout& layout() const { return layout_; }
     /// The picture, with the object under the pointer highlighted; empty without a lesson.
     const Picture& picture();
+    /// Picture of a tab in place of the step's.
+    Replacement replacement() const;
     /// The last picture(), with its versions.
     const ShownPicture& shown() const { return shown_; }
     LessonList& shelf() { return shelf_; }

@@ -57,14 +57,18 @@ void Host::draw_lesson(const LessonUi& ui, const std::vector<panels::HotSpot>& s
         state_.symbol = -1;
     }
     const bool figure = shows_figure();
+    const panels::Box scene = panels::box_of(layout_.scene);
+    const float asked = figure ? 0.0F : predictions_.height(ui, scene);
+    const bool is_other_pose = !figure && (session_->in_hand() || replacement().picture != nullptr);
     panels::draw_annotations(
         ui.canvas, picture(), hand_.camera(), layout_.scene,
-        figure ? 0.0F : predictions_.height(ui, panels::box_of(layout_.scene)),
+        asked + (is_other_pose ? badge_height(ui) : 0.0F),
         figure ? panels::BodyNames::all : panels::BodyNames::where_room);
     if (figure) {
         draw_figure(ui);
     } else {
         draw_step(ui, view);
+        if (is_other_pose) { draw_badge(ui, scene, asked); }
     }
     side_column(ui, layout_, tabs_, desk_.practice(), desk_.work());
     if (figure) {
@@ -108,15 +112,17 @@ void Host::draw_step(const LessonUi& ui, const View& view) {
             panels::draw_caption(canvas, box, view);
         });
     predictions_.draw(ui, panels::box_of(layout_.scene));
-    if (session_->in_hand()) { draw_badge(ui, panels::box_of(layout_.scene)); }
 }
 
 const Picture& Host::picture() {
     if (!session_) { return shown_.picture(); }
     if (shows_figure()) { return shown_.of(desk_.figure()->picture()); }
     const Ghosts ghosts{tabs_.newton.ghosts(session_->told()), tabs_.newton.version()};
-    const Replacement other = state_.tab == Tab::rest ? tabs_.rest.picture(*session_) : Replacement();
-    return shown_.of(*session_, state_.lit(), ghosts, other);
+    return shown_.of(*session_, state_.lit(), ghosts, replacement());
+}
+
+Replacement Host::replacement() const {
+    return state_.tab == Tab::rest ? tabs_.rest.picture(*session_) : Replacement();
 }
 
 }  // namespace jw::host

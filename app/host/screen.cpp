@@ -182,7 +182,7 @@ int Screen::pick(float x, float y) {
     Surface& s = *surface_;
     fit_to_host();
     s.ids.update(
-        host_->session()->picture().scene, host_->camera(), host_->layout().scene, s.targets->size(),
+        host_->picture().scene, host_->camera(), host_->layout().scene, s.targets->size(),
         host_->shown().pose_version());
     const double scale = static_cast<double>(host_->layout().height) / 720.0;
     return s.ids.nearest_id(static_cast<double>(x), static_cast<double>(y), kPickRadius * scale);

@@ -201,8 +201,10 @@ SmallMotions small_motions(FreeForces& forces) {
     const bool may_be_fed = !out.is_conservative || (out.is_damped && forces.has_laws_of_rates());
     out.stability = may_be_fed ? by_rates(out.modes, size) : by_potential(stiffness);
     std::ranges::stable_sort(out.modes, [](const Mode& a, const Mode& b) {
-        const bool a_grows = a.s.real() > 0.0;
-        const bool b_grows = b.s.real() > 0.0;
+        // that of an oscillation may be rounding
+        constexpr double rounding = 1e-6;
+        const bool a_grows = a.s.real() > rounding * std::abs(a.s);
+        const bool b_grows = b.s.real() > rounding * std::abs(b.s);
         return a_grows != b_grows ? a_grows : std::abs(a.s) < std::abs(b.s);
     });
     return out;

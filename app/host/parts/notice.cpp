@@ -77,12 +77,14 @@ void Notice::draw(const Ui& ui, const Box& scene, bool has_lesson) const {
     draw_sheet(canvas, scene, bottom, kept + mistakes_, true);
 }
 
-void draw_badge(const Ui& ui, const Box& scene) {
+float badge_height(const Ui& ui) { return ui.canvas.line_height(ui.canvas.fonts().normal) + ui.px(32.0F); }
+
+void draw_badge(const Ui& ui, const Box& scene, float foot) {
     const Canvas& canvas = ui.canvas;
     const ImFont* const font = canvas.fonts().normal;
     const std::string text = tr("not the step's pose   ·   Escape goes back");
     const Box badge{
-        scene.x + canvas.px(12.0F), scene.y + canvas.px(12.0F),
+        scene.x + canvas.px(12.0F), scene.y + scene.height - foot - badge_height(ui) + canvas.px(12.0F),
         canvas.text_width(font, text) + canvas.px(20.0F), canvas.line_height(font) + canvas.px(8.0F)};
     panels::sheet(canvas, badge, theme::kWarningShade, theme::kSubjectMark);
     canvas.text({badge.x + canvas.px(10.0F), badge.y + canvas.px(4.0F)}, font, theme::kInk, text);

@@ -42,7 +42,10 @@ private:
 };
 
 /// Draws the badge that says that the pose is not that of the step.
-void draw_badge(const Ui& ui, const panels::Box& scene);
+/// @param foot  height at the foot of the picture that is covered by something else [px]
+void draw_badge(const Ui& ui, const panels::Box& scene, float foot);
+/// Height of the badge with its margins [px].
+float badge_height(const Ui& ui);
 
 /// Words that describe the computation of a story.
 const char* words_of_waiting();

@@ -132,14 +132,14 @@ Replacement RestTab::picture(const Session& session) const {
 void RestTab::draw(const LessonUi& ui, const Box& box) {
     Area area(ui, "rest", box, true);
     section(ui, tr("Equilibrium of the whole lesson, at t = 0"));
+    const bool is_known = is_of(ui.session) && seek_ == sought_ && !search_;
+    const std::string& result = failure_.empty() ? words_.verdict : failure_;
+    ImGui::TextWrapped("%s", is_known ? result.c_str() : tr("The equilibrium is searched for …"));
     if (const auto seek = radio_buttons(kSeeks, seek_, ui.px(228.0F))) { seek_ = *seek; }
-    if (!is_of(ui.session) || seek_ != sought_ || search_) {
-        return note(ui, tr("The equilibrium is searched for …"));
-    }
-    if (!failure_.empty()) { return note(ui, failure_); }
-    note(ui, words_.verdict);
-    for (const std::string& quantity : words_.quantities) { note(ui, quantity); }
+    if (!is_known || !failure_.empty()) { return; }
     controls(ui);
+    section(ui, tr("Values at rest"));
+    for (const std::string& quantity : words_.quantities) { note(ui, quantity); }
 }
 
 void RestTab::controls(const LessonUi& ui) {

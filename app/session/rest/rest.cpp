@@ -98,13 +98,17 @@ std::vector<NamedQuantity> told_quantities(const Mechanism& mechanism) {
 /// a joint that has neither, as on a ball.
 std::vector<NamedQuantity> moving_quantities(const Mechanism& mechanism) {
     std::vector<NamedQuantity> list;
+    std::vector<bool> has_turns(mechanism.bodies.size(), false);
     for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
         const Joint& joint = mechanism.joints[at(j)];
         const std::vector<MeasureQuantity> measures = measures_of(mechanism, j);
         for (const MeasureQuantity& q : measures) {
             if (is_coordinate(q)) { list.push_back({q, 1}); }
         }
-        if (!measures.empty() || mechanism.bodies[at(joint.body_j)].fixed) { continue; }
+        if (!measures.empty() || mechanism.bodies[at(joint.body_j)].fixed || has_turns[at(joint.body_j)]) {
+            continue;
+        }
+        has_turns[at(joint.body_j)] = true;
         for (int axis = 0; axis < 3; ++axis) {
             list.push_back({AngularVelocityQuantity{joint.body_j, false, axis}, 0});
         }
@@ -177,6 +181,11 @@ std::string failure_text(const RestView& view) {
                       "branch. Where branches meet, as in a flat parallelogram, start on the other side.",
                       steps) +
                    " " + push_text(view);
+        case Failure::no_value:
+            return tr(
+                "The search ended after {0} steps: the law '{1}' has no value at the pose that was reached; "
+                "expected a law that has one wherever the mechanism moves, also without velocities.",
+                steps, view.outcome.law);
         case Failure::no_descent: break;
     }
     return tr("The search ended after {0} steps: no step decreases the forces. There may be no equilibrium, "
@@ -285,6 +294,11 @@ RestView RestSearch::view() {
     view.without_friction =
         std::ranges::any_of(loads.springs, rubs) || std::ranges::any_of(loads.rotational_springs, rubs);
     view.failure = failure_text(view);
+    if (!view.failure.empty() && view.without_friction) {
+        view.failure +=
+            std::string(" ") + tr("Dry friction is neglected: with it, the mechanism may rest where it "
+                                  "stands.");
+    }
     return std::move(view_);
 }
 
