@@ -14,9 +14,12 @@ namespace {
 
 /// Reasons why a search ended, in the order of RestOutcome::Failure.
 constexpr std::array kEnds{
-    "", "the forces do not change along the motion, and nothing resists them",
+    "",
+    "the forces do not change along the motion, and nothing resists them",
     "it is far from the start, or only short steps are proved to stay on the branch",
-    "no step along the forces is proved to stay on the branch", "no step decreases the forces"};
+    "no step along the forces is proved to stay on the branch",
+    "a law has no value there",
+    "no step decreases the forces"};
 static_assert(kEnds.size() == static_cast<std::size_t>(jw::RestOutcome::Failure::no_descent) + 1);
 
 static_assert(static_cast<int>(Stability::unstable) == static_cast<int>(jw::Stability::unstable));

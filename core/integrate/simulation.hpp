@@ -54,7 +54,7 @@ struct SimulationFailure {
     bool bound_by_stability = false;
     std::string fastest = {};   ///< for too_many_steps: the body that turned fastest
     double fastest_rate = 0.0;  ///< its |ω| [rad/s]
-    std::string law = {};       ///< for step_too_small: the law of a load that has no value or no slope there
+    std::string law = {};       ///< of a load that has no value or no slope at the end
 };
 
 /// Progress of a run.
@@ -151,6 +151,7 @@ private:
     SimulationFailure too_many_steps(const TimeStepper& stepper) const;
     /// Reason why the stepper can take no further step.
     SimulationFailure failure_of(const TimeStepper& stepper) const;
+    std::string law_at_end(const TimeStepper& stepper) const;
     /// Failure of a cause that names the equation with the largest Φ, or Φ̇, at a flat state.
     enum class Off { value, rate };
     SimulationFailure worst_equation(

@@ -101,9 +101,16 @@ SimulationFailure Simulation::failure_of(const TimeStepper& stepper) const {
         if (off > kMet) { return worst_equation(Cause::out_of_reach, Off::value, t, there); }
     }
     SimulationFailure failure{Cause::step_too_small, stepper.t(), {}, 0.0};
-    const auto [state, motion] = unpacked(flat_of(stepper.y()));
-    failure.law = law_without_slope(scene_.loads, kinematics_of(state, motion), failure.t);
+    failure.law = law_at_end(stepper);
     return failure;
+}
+
+/// Source of a law that has no value or no slope where a run ends; empty if there is none.
+std::string Simulation::law_at_end(const TimeStepper& stepper) const {
+    // a run ends a millionth of its steps before such a point
+    constexpr double beside = 1e-4;
+    const auto [state, motion] = unpacked(flat_of(stepper.y()));
+    return unbounded_law(scene_.loads, kinematics_of(state, motion), stepper.t(), 1, beside);
 }
 
 /// True if accelerations of the block equations satisfy all rows, including those that are left out.
@@ -168,6 +175,7 @@ std::optional<SimulationFailure> Simulation::failure_of_turns(double t, const st
 SimulationFailure Simulation::too_many_steps(const TimeStepper& stepper) const {
     constexpr double mostly = 0.5;
     SimulationFailure failure{SimulationFailure::Cause::too_many_steps, stepper.t(), {}, 0.0};
+    failure.law = law_at_end(stepper);
     failure.bound_by_stability = stepper.bound_by_stability() > mostly;
     const std::vector<double> flat = flat_of(stepper.y());
     for (std::size_t m = 0; m < moving_.size(); ++m) {

@@ -281,13 +281,14 @@ double size_of(const Bushing& bushing, Bodies bodies, double length) {
            bushing.rotational_stiffness.maxCoeff() * (1.0 + y.phi.norm()) / length;
 }
 
-std::string law_without_slope(const Loads& loads, Bodies bodies, double t) {
-    // a run ends a millionth of its steps before such a point
-    constexpr double beside = 1e-4;
+std::string unbounded_law(
+    const Loads& loads, Bodies bodies, double t, std::size_t derivative, double beside) {
     std::string out;
     for_each_formula(loads, bodies, t, [&](const ScalarFormula& law, std::span<const double> now, int) {
         for (std::size_t k = 0; k < now.size(); ++k) {
-            if (!law.along(now, k).is_smooth_at(now[k], beside)) { out = law.source; }
+            const double most = beside * std::max(1.0, std::abs(now[k]));
+            const auto bounds = TimeFormula{law.along(now, k)}.taylor_bounds(now[k] - most, now[k] + most);
+            if (!std::isfinite(bounds[0] + bounds[derivative])) { out = law.source; }
         }
     });
     return out;

@@ -45,9 +45,13 @@ double size_of(const Bushing& bushing, std::span<const BodyKinematics<OmegaLocal
 /// @return false if a law has no slope there, or a kink so near that rounding hides on which side it is
 bool linearise_laws(Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies, double t);
 
-/// Source of a law without a value or a slope near a state and a time `t` [s]; empty if there is none.
-std::string law_without_slope(
-    const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies, double t);
+/// Source of a law whose value or derivative is not bounded near a state and a time `t` [s]; empty if there
+/// is none.
+/// @param derivative  0: the value alone; 1: also its slopes
+/// @param beside      distance of the numbers from those of the state, relative to these beyond 1
+std::string unbounded_law(
+    const Loads& loads, std::span<const BodyKinematics<OmegaLocal>> bodies, double t, std::size_t derivative,
+    double beside);
 
 /// Laws that depend on the time, as functions of the time alone: of bodies that stay at these poses.
 std::vector<ScalarFormula> laws_in_time(

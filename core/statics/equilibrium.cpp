@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/kinematics/paths/free_proof.hpp"
+#include "core/motion/forces.hpp"
 #include "core/poses/branches.hpp"
 #include "core/poses/newton.hpp"
 
@@ -46,6 +47,8 @@ constexpr double kUnchanged = 1e-6;
 // number of poses whose rank is compared with that of an equilibrium, and their distance [rad, extents]
 constexpr int kPosesBeside = 4;
 constexpr double kBeside = 1e-2;
+// errors of angles and lengths that a law reads, relative to these: at a pole, any force would be one of them
+constexpr double kRoundingOfLaws = 1e-9;
 
 }  // namespace
 
@@ -68,6 +71,11 @@ public:
     }
 
     bool go_on() {
+        law_ = unbounded_law(here_->loads(), kinematics_of(here_->state()), t_, 0, kRoundingOfLaws);
+        if (!law_.empty()) {
+            failure_ = RestOutcome::Failure::no_value;
+            return false;
+        }
         const VectorX way = direction();
         if (is_found(way)) { return false; }
         failure_ = failure_after(steps_);
@@ -85,6 +93,7 @@ public:
     RestOutcome outcome() {
         RestOutcome out;
         out.failure = failure_;
+        out.law = law_;
         out.state = here_->state();
         out.loads = here_->loads();
         out.turns = turns_;
@@ -279,6 +288,7 @@ private:
     std::vector<int> turns_;  ///< of the angle of each joint
     int steps_ = 0;
     RestOutcome::Failure failure_ = RestOutcome::Failure::none;
+    std::string law_;  ///< without a value at the pose
 };
 
 EquilibriumSearch::EquilibriumSearch(const Centroidal& scene, const State& start, double t, Seek seek)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/motion/loads.hpp"
@@ -22,9 +23,11 @@ struct RestOutcome {
         endless,         ///< the forces push on, and do not change
         too_many_steps,  ///< the equilibrium is far away, or only short steps are proved
         no_step,         ///< the forces push, but no step along them is proved to stay on the branch
+        no_value,        ///< a law has no value at the pose, or so near that rounding hides it
         no_descent,      ///< `nearest`: no step decreases the forces
     };
     Failure failure = Failure::none;
+    std::string law;         ///< source of the law without a value
     State state;             ///< of the centroidal frames; the last one that was reached
     Loads loads;             ///< with the turns of rotational springs counted up to `state`
     std::vector<int> turns;  ///< whole turns of the angle of each joint on the way

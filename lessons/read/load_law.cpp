@@ -108,9 +108,11 @@ private:
     bool is_sound_ = true;  ///< false after a joint that has been reported
 };
 
-/// Reports a law without a value at the start. Rates may differ from 0 there.
+/// Reports a law without a value at the start. Rates may differ from 0 there, and so may the pose if drivers
+/// or start values place joints.
 void check_start(Fields& fields, const Reading& reading, const LoadLaw& law) {
     if (reading.problems->errors_count() > 0) { return; }
+    if (!reading.start_values.empty() || !reading.lesson.mechanism.drivers.empty()) { return; }
     for (std::size_t k = 0; k < law.quantities.size(); ++k) {
         if (law.formula.uses(LoadLaw::index_of(k, 1))) { return; }
     }

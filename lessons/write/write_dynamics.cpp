@@ -63,7 +63,8 @@ void write_vector(const std::string& what, const std::string& unit, const auto& 
     } else {
         lines.key(what, direction, constant ? unit : unit + ", times the function of time");
     }
-    if (!constant && magnitude != TimeFunction{}) { write_time_function(magnitude, false, lines); }
+    const bool is_law_alone = load.law && magnitude == TimeFunction{};
+    if (!constant && !is_law_alone) { write_time_function(magnitude, false, lines); }
     if (load.law) { lines.key("law", string_text(load.law->formula.source)); }
 }
 

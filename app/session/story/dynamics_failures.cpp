@@ -112,13 +112,6 @@ std::string not_proven_text(const SimulationFailure& failure, const SimulationSe
 }
 
 std::string step_too_small_text(const SimulationFailure& failure, const SimulationSettings& settings) {
-    if (!failure.law.empty()) {
-        return tr(
-            "no step is small enough for the tolerance: the law '{0}' has no value or no slope there; "
-            "expected "
-            "a law that has both wherever the mechanism moves; {1}",
-            failure.law, look_at(failure.t));
-    }
     if (entry_of(settings.method).kind == MethodKind::radau) {
         return tr(
             "no step is small enough for the tolerance; the position may be singular (a change point, a link "
@@ -133,6 +126,13 @@ std::string step_too_small_text(const SimulationFailure& failure, const Simulati
 
 std::string cause_text(
     const SimulationFailure& failure, const SimulationSettings& settings, const Mechanism& mechanism) {
+    if (!failure.law.empty()) {
+        return tr(
+            "the law '{0}' has no value or no slope there, or so near that no step is short enough; expected "
+            "a "
+            "law that has both wherever the mechanism moves; {1}",
+            failure.law, look_at(failure.t));
+    }
     switch (failure.cause) {
         case SimulationFailure::Cause::contradiction: return contradiction_text(failure, mechanism);
         case SimulationFailure::Cause::out_of_reach: return out_of_reach_text(failure, mechanism);
@@ -143,8 +143,10 @@ std::string cause_text(
                 "springs implicit-5");
         case SimulationFailure::Cause::turns_lost:
             return tr(
-                "the rotational spring of {0} turns by {1}° within one step, and its turns can be counted "
-                "reliably only up to 90°; use a step of {2} s or less, or an adaptive method (explicit-8)",
+                "the angle of {0}, on which a load depends, changes by {1}° within one step, and turns can "
+                "be "
+                "counted reliably only up to 90°; use a step of {2} s or less, or an adaptive method "
+                "(explicit-8)",
                 in_quotes(failure.equation_of), number_text(kDegreesPerRadian * failure.turn, 3),
                 number_text(0.95 * (0.5 * std::numbers::pi / failure.turn) * settings.step, 2));
         case SimulationFailure::Cause::too_many_steps:

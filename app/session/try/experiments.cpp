@@ -240,6 +240,14 @@ private:
         for_each_angle(loads, [&](RotationalSpring& spring) {
             if (acts_about(spring, before)) { spring.angle = angle_of(joint); }
         });
+        for_each_law(loads, [&](LoadLaw& law) {
+            for (auto& [name, measured] : law.quantities) {
+                auto* distance = std::get_if<Spring>(&measured);
+                if (distance == nullptr || name != joint.name + ".distance") { continue; }
+                distance->P_i_local = geometry.P_i_local;
+                distance->P_j_local = geometry.P_j_local;
+            }
+        });
     }
 
     /// Updates the measures of the drivers along a joint to its new geometry.
