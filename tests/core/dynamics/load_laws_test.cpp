@@ -330,33 +330,6 @@ TEST_CASE("A torque between two bodies by a law is the same as a rotational spri
     }
 }
 
-TEST_CASE(
-    "A controlled pendulum rests where its torques balance, and its modes include the law",
-    "[core][dynamics]") {
-    constexpr double k = 40.0;
-    constexpr double inertia = 1.1;
-    double angle = 0.3;
-    for (int n = 0; n < 20; ++n) {
-        angle -= (test::kG * std::sin(angle) + k * (angle - 0.3)) / (test::kG * std::cos(angle) + k);
-    }
-    const double stiffness = k + test::kG * std::cos(angle);
-    for (const double c : {3.0, -3.0}) {
-        const Mechanism mechanism = test::row_of_rods({0.0}).mechanism;
-        Loads loads = test::point_masses(mechanism, 1.0, inertia - 1.0);
-        loads.torques.push_back({1, Vec3::UnitY(), Frame::global, {}});
-        loads.torques[0].law = LoadLaw{weighted(0.3 * k, {0.0, -k, -c}), {angle_read(mechanism.joints[0])}};
-        const RestOutcome outcome = test::found(centroidal(mechanism, loads));
-        REQUIRE(outcome.failure == RestOutcome::Failure::none);
-        CHECK(apart(relative_angle(mechanism.joints[0], outcome.state), angle) < 1e-10);
-        CHECK(outcome.motions.stability == (c > 0.0 ? Stability::stable : Stability::unstable));
-        const std::complex<double> s = outcome.motions.modes.front().s;
-        CHECK(s.real() == Approx(-c / (2.0 * inertia)).epsilon(1e-8));
-        CHECK(std::norm(s) == Approx(stiffness / inertia).epsilon(1e-8));
-        loads.torques[0].law->formula = {"kink", {{StepKind::variable, 2.0}, {StepKind::absolute}}};
-        CHECK(test::found(centroidal(mechanism, loads)).motions.at_kink);
-    }
-}
-
 TEST_CASE("A run that ends where a law has no value names the law", "[core][dynamics]") {
     // 3 + √(0.2 - θ)
     const LawScene scene = wheel_with(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "tests/core/dynamics/statics.hpp"
@@ -277,4 +278,46 @@ TEST_CASE("A freedom that nothing holds or pushes has no verdict", "[core][stati
     REQUIRE(rest.failure == RestOutcome::Failure::none);
     CHECK(rest.motions.stability == Stability::cannot_tell);
     CHECK(rest.motions.modes.at(0).s == 0.0);
+}
+
+TEST_CASE(
+    "A controlled pendulum rests where its torques balance, and its modes include the law",
+    "[core][statics]") {
+    constexpr double k = 40.0;
+    constexpr double inertia = 1.1;
+    double angle = 0.3;
+    for (int n = 0; n < 20; ++n) {
+        angle -= (kG * std::sin(angle) + k * (angle - 0.3)) / (kG * std::cos(angle) + k);
+    }
+    const double stiffness = k + kG * std::cos(angle);
+    for (const double c : {3.0, -3.0}) {
+        const Mechanism mechanism = row_of_rods({0.0}).mechanism;
+        Loads loads = point_masses(mechanism, 1.0, inertia - 1.0);
+        loads.torques.push_back({1, Vec3::UnitY(), Frame::global, {}});
+        using Kind = FormulaStep::Kind;
+        RotationalSpring read{0, 1, angle_of(mechanism.joints[0])};
+        read.is_read = true;
+        // k (0.3 - θ) - c θ̇
+        loads.torques[0].law = LoadLaw{
+            {"controller",
+             {{Kind::number, k},
+              {Kind::number, 0.3},
+              {Kind::variable, 1.0},
+              {Kind::difference},
+              {Kind::product},
+              {Kind::number, c},
+              {Kind::variable, 2.0},
+              {Kind::product},
+              {Kind::difference}}},
+            {{"hinge.angle", read}}};
+        const RestOutcome outcome = found(centroidal(mechanism, loads));
+        REQUIRE(outcome.failure == RestOutcome::Failure::none);
+        CHECK(std::abs(relative_angle(mechanism.joints[0], outcome.state) - angle) < 1e-10);
+        CHECK(outcome.motions.stability == (c > 0.0 ? Stability::stable : Stability::unstable));
+        const std::complex<double> s = outcome.motions.modes.front().s;
+        CHECK(s.real() == Approx(-c / (2.0 * inertia)).epsilon(1e-8));
+        CHECK(std::norm(s) == Approx(stiffness / inertia).epsilon(1e-8));
+        loads.torques[0].law->formula = {"kink", {{Kind::variable, 2.0}, {Kind::absolute}}};
+        CHECK(found(centroidal(mechanism, loads)).motions.at_kink);
+    }
 }
