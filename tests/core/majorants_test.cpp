@@ -163,6 +163,13 @@ TEST_CASE("Bounds of a point and an arm and of products are reached", "[core][ma
     away.reach_r = 0.5;
     const auto point = equations<Content::jacobian>(S{Vec3::Zero(), Vec3::Zero()}, away, Region{}, {});
     CHECK(point.away == Approx(0.5));
+    Region turned;
+    turned.reach_p = 0.1;
+    turned.size_of_p = 1.5;
+    // an arm of 2 m: two parameters, one of which is off by 0.1
+    const auto arm_end =
+        equations<Content::jacobian>(S{Vec3(2.0, 0.0, 0.0), Vec3::Zero()}, turned, Region{}, {});
+    CHECK(arm_end.away == Approx(2.0 * 2.0 * 1.5 * 0.1));
     CHECK(point.size == Approx(3.5));
     const ScrewAdvance screw{Vec3::UnitX(), Vec3::Zero(), Vec3::Zero(), -0.3, 0.0, 0.0};
     CHECK(equations<Content::jacobian>(screw, Region{}, Region{}, {0.5, 1.0, {}}).away == Approx(0.3));
