@@ -22,8 +22,8 @@ std::string answer;  ///< the last one; JavaScript copies it
 
 Json json_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// What a model of this scene must agree with at the start: energies and, body by body, r̈ of the centre and
-/// ω̇, both global.
+/// Energies at the start and, body by body, r̈ of the centre and ω̇, both global: a model of this scene must
+/// agree with them.
 void add_start(Json& out) {
     Simulation simulation(lesson.mechanism, lesson.dynamics->loads, {});
     std::vector<double> start;
